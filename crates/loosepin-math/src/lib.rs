@@ -8,6 +8,7 @@ mod dual;
 mod functions;
 mod fused;
 mod numbers;
+mod order;
 mod outlined;
 mod real;
 mod scalar;
@@ -29,6 +30,7 @@ pub use functions::spline::{
 pub use functions::whole_range::{full_range_exponential, full_range_logarithm, full_range_power};
 pub use fused::with_vector_instructions;
 pub use numbers::Numbers;
+pub use order::{places_in_order, sort_ascending, sort_by_number};
 pub use outlined::Outlined;
 pub use real::{Real, joined_all};
 pub use solve::dense::{

@@ -5,6 +5,7 @@ use super::results::GroupBounds;
 use super::space::SurrogateInput;
 use crate::data::direction::range_of;
 use crate::data::table::{Purpose, SampleTable};
+use loosepin_math::sort_ascending;
 
 /// Values at which the surrogate is drawn.
 const DRAWN: usize = 61;
@@ -43,7 +44,7 @@ impl SurrogatePlan {
         let inputs = self.space.coordinates();
         let sorted = |axis: usize| {
             let mut values: Vec<f64> = runs.iter().map(|(point, _)| point[axis]).collect();
-            values.sort_by(f64::total_cmp);
+            sort_ascending(&mut values);
             values
         };
         let sorted: Vec<Vec<f64>> = (0..inputs.len()).map(sorted).collect();

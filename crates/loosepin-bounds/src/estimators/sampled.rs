@@ -24,6 +24,7 @@ use super::ordered::Ordered;
 use super::sample::Sample;
 use super::tail::index_for_mean_square;
 use super::unsampled_events::UnsampledEvents;
+use loosepin_math::sort_by_number;
 use loosepin_terms::Statistic;
 
 /// Gaps across which a value is moved.
@@ -76,7 +77,7 @@ fn find(ordered: &Ordered<'_>, statistic: Statistic, confidence: &Confidence) ->
 fn square_of_moves(sorted: &[f64], change: impl Fn(&[f64]) -> f64) -> f64 {
     let width = |place: usize| sorted[place + 1] - sorted[place];
     let mut gaps: Vec<usize> = (0..sorted.len() - 1).filter(|&place| width(place) > 0.0).collect();
-    gaps.sort_unstable_by(|&a, &b| width(b).total_cmp(&width(a)).then(a.cmp(&b)));
+    sort_by_number(&mut gaps, |&place| -width(place));
     let mut moved = sorted.to_vec();
     let (mut sum, mut steepest) = (0.0, 0.0_f64);
     let (largest, others) = gaps.split_at(gaps.len().min(MAX_GAPS));

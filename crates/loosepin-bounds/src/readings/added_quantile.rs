@@ -12,6 +12,7 @@ use crate::measures::measure::{Estimator, Measure};
 use crate::measures::probability::Probability;
 use crate::parallel;
 use crate::search::target::Target;
+use loosepin_math::{sort_ascending, sort_by_number};
 use loosepin_terms::Event;
 
 /// After this many attempts to find a value that a quantile certainly does not exceed, the range of the response is conceded.
@@ -52,7 +53,7 @@ impl Sorted {
     fn new(samples: &[&Sample]) -> Self {
         let points: Vec<Vec<f64>> = samples.iter().map(|sample| sample.sorted()).collect();
         let mut all: Vec<f64> = points.iter().flatten().copied().collect();
-        all.sort_unstable_by(f64::total_cmp);
+        sort_ascending(&mut all);
         all.dedup();
         Self { points, all }
     }
@@ -250,7 +251,7 @@ impl Experiment<'_> {
             .collect();
         let quantile = |of: fn(&Bound) -> f64| {
             let mut sorted: Vec<(f64, f64)> = ends.iter().map(|(mass, bound)| (of(bound), *mass)).collect();
-            sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
+            sort_by_number(&mut sorted, |a| a.0);
             let mut sum = 0.0;
             for (value, mass) in &sorted {
                 sum += mass;

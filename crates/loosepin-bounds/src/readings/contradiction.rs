@@ -8,6 +8,7 @@ use crate::estimators::polynomials::single_runs::{SingleRun, SingleRuns, Weights
 use crate::estimators::pool::Pool;
 use crate::search::search_box::BoxPoint;
 use loosepin_math::dense::{Cholesky, dot, gram};
+use loosepin_math::sort_by_number;
 
 /// So many runs of the mixture are read, at most.
 const MAX_MIXTURE_RUNS: usize = 1024;
@@ -94,7 +95,7 @@ fn weights(
     let square = |point: usize| -> f64 { seen[point].iter().zip(at).map(|(x, y)| (x - y) * (x - y)).sum() };
     let is_own = |&point: &usize| places[point].combination == place.combination && Some(point) != left_out;
     let mut nearest: Vec<usize> = (0..places.len()).filter(is_own).collect();
-    nearest.sort_by(|&a, &b| square(a).total_cmp(&square(b)));
+    sort_by_number(&mut nearest, |&point| square(point));
     let order = at.len() + 1;
     nearest.truncate(POINTS_PER_COEFFICIENT * order);
     if nearest.len() < order {

@@ -27,6 +27,7 @@ use crate::estimators::sample::Sample;
 use crate::parallel;
 use crate::search::models::noise::Noise;
 use crate::search::target::{Target, TargetKind};
+use loosepin_math::{sort_ascending, sort_by_number};
 use loosepin_terms::{Estimation, Event, Statistic};
 
 /// The ends of the response in one part, sample by sample: as attained, and as far as the models let them go.
@@ -98,7 +99,7 @@ impl Experiment<'_> {
             own.map(pair).collect::<Vec<_>>()
         };
         let mut pairs: Vec<(usize, BoundPair)> = parallel::flat_map(&columns, of_column);
-        pairs.sort_by_key(|(place, _)| *place);
+        sort_by_number(&mut pairs, |(place, _)| *place as f64);
         pairs.into_iter().map(|(_, pair)| pair).collect()
     }
 }
@@ -232,7 +233,7 @@ impl RandomSet {
         let find = |is_widened: bool| -> f64 {
             let samples = self.elements.iter().map(|e| if is_widened { &e.widened[end] } else { &e.attained[end] });
             let mut values: Vec<f64> = samples.flat_map(|sample| sample.values().iter().copied()).collect();
-            values.sort_unstable_by(f64::total_cmp);
+            sort_ascending(&mut values);
             let index = values.partition_point(|&y| added(y, is_widened) < probability);
             match direction {
                 Direction::Minimum if index == 0 && added(f64::NEG_INFINITY, is_widened) >= probability => {

@@ -30,6 +30,7 @@ use crate::search::models::prediction::Allowance;
 use crate::search::models::target_model::Forecast;
 use crate::search::search_box::{Axes, BoxPoint, Region};
 use crate::search::target::{Target, TargetKind};
+use loosepin_math::{sort_ascending, sort_by_number};
 use loosepin_terms::Statistic;
 use loosepin_uncertainty::{EpistemicVariable, ScrambledSobol, SecondOrder, hash};
 
@@ -284,7 +285,7 @@ impl Found {
 
 /// The percentile of numbers that each have the same probability: between order statistics, y_(k) at (k - 1/2)/N.
 fn order_statistic(mut values: Vec<f64>, probability: f64) -> f64 {
-    values.sort_unstable_by(f64::total_cmp);
+    sort_ascending(&mut values);
     let Some(last) = values.len().checked_sub(1) else { return f64::NAN };
     let place = (probability * values.len() as f64 - 0.5).clamp(0.0, last as f64);
     let below = place.floor() as usize;
@@ -315,6 +316,6 @@ fn sampling_error(measure: &Measure, value: f64, direction: Direction, of: impl 
             ((target - value).abs(), error + (of(*target) - low.value).abs())
         })
         .collect();
-    near.sort_by(|a, b| a.0.total_cmp(&b.0));
+    sort_by_number(&mut near, |a| a.0);
     near.iter().take(NEAREST).map(|(_, error)| *error).reduce(f64::max).unwrap_or(f64::INFINITY)
 }

@@ -8,6 +8,7 @@
 //! missed, whatever its height: the model of what lies between points knows the points alone.
 
 use super::search_box::{Axes, BoxPoint};
+use loosepin_math::sort_by_number;
 
 /// So many of the largest gaps among the candidates are widened.
 const CLIMBS: usize = 8;
@@ -27,7 +28,7 @@ pub(crate) fn largest_gap(axes: &Axes, combinations: usize, places: &[BoxPoint],
 
 fn largest_of(axes: &Axes, places: &[&[f64]], candidates: &[Vec<f64>]) -> f64 {
     let mut gaps: Vec<(f64, &Vec<f64>)> = candidates.iter().map(|at| (gap_at(axes, places, at), at)).collect();
-    gaps.sort_by(|a, b| b.0.total_cmp(&a.0));
+    sort_by_number(&mut gaps, |a| -a.0);
     let climbed = gaps.iter().take(CLIMBS).map(|(gap, at)| climb(axes, places, at, *gap));
     climbed.fold(0.0, f64::max)
 }

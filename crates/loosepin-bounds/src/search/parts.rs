@@ -2,6 +2,7 @@
 
 use super::design::{candidates, corners};
 use super::search_box::{Region, SearchBox};
+use loosepin_math::sort_ascending;
 use loosepin_uncertainty::{EpistemicVariable, Interval, SobolError};
 
 /// Candidates of all parts together, about.
@@ -56,7 +57,7 @@ impl Structure {
             .filter_map(|input| if let EpistemicVariable::Fuzzy(fuzzy) = input { Some(fuzzy) } else { None })
             .flat_map(|fuzzy| fuzzy.cuts().iter().map(|cut| cut.0))
             .collect();
-        degrees.sort_by(f64::total_cmp);
+        sort_ascending(&mut degrees);
         degrees.dedup();
         let degrees: Vec<Option<f64>> =
             if degrees.is_empty() { vec![None] } else { degrees.into_iter().map(Some).collect() };

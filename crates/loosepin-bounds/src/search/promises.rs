@@ -9,6 +9,7 @@ use crate::parallel;
 use crate::search::models::of_points::{Branch, MIN_DISTANCE_IN_ROUND, Modelled, Search};
 use crate::search::models::prediction::Allowance;
 use crate::search::models::target_model::Forecast;
+use loosepin_math::sort_by_number;
 
 /// This many promising places for each new point are located precisely.
 const LOCATED_PER_POINT: usize = 2;
@@ -33,7 +34,7 @@ impl Search<'_> {
         };
         let mut promises: Vec<Promise> =
             parallel::map_indices(targets.len(), of_target).into_iter().flatten().collect();
-        promises.sort_by(|a, b| b.merit.total_cmp(&a.merit));
+        sort_by_number(&mut promises, |a| -a.merit);
         // What a model expects and what it merely allows take turns: every target allows more than it expects.
         let (expected, others): (Vec<Promise>, Vec<Promise>) =
             promises.into_iter().partition(|promise| promise.kind == Kind::Expected);
@@ -85,7 +86,7 @@ impl Search<'_> {
                 }
             }
         }
-        hopes.sort_by(|a, b| b.merit.total_cmp(&a.merit));
+        sort_by_number(&mut hopes, |a| -a.merit);
         let apart = self.least_distance_of_hopes();
         for Hope { combination, at, .. } in hopes {
             if places.len() == count {

@@ -3,6 +3,7 @@
 use super::search_box::BoxPoint;
 use crate::data::direction::Direction;
 use crate::search::models::of_points::Search;
+use loosepin_math::sort_by_number;
 
 /// Least standard deviation of the runs at a point, as a share of the largest at any point.
 const MIN_DEVIATION: f64 = 1e-3;
@@ -61,7 +62,7 @@ impl Search<'_> {
                 calls.push((furthest, place));
             }
         }
-        calls.sort_by(|a, b| b.0.total_cmp(&a.0));
+        sort_by_number(&mut calls, |a| -a.0);
         self.new_places(calls.into_iter().map(|(_, place)| place.clone()), count)
     }
 }

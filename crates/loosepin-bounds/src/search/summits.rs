@@ -8,6 +8,7 @@ use crate::search::models::of_points::{Search, defined};
 use crate::search::models::prediction::Allowance;
 use crate::search::models::target_model::TargetModel;
 use loosepin_math::descent::minimise;
+use loosepin_math::sort_by_number;
 
 /// A local model has this many points for each term of a polynomial of degree 2.
 const POINTS_PER_TERM: usize = 3;
@@ -29,7 +30,7 @@ impl Search<'_> {
     /// what it allows for round-off it cannot tell the least ones along a curved ridge, where no candidate lies nearer to the summit.
     pub(super) fn summits(&self, extremes: &[Extreme<'_>], count: usize) -> Vec<BoxPoint> {
         let mut summits: Vec<(f64, BoxPoint)> = parallel::flat_map(extremes, |extreme| self.summit(extreme));
-        summits.sort_by(|a, b| b.0.total_cmp(&a.0));
+        sort_by_number(&mut summits, |a| -a.0);
         self.new_places(summits.into_iter().map(|(_, place)| place), count)
     }
 
@@ -91,7 +92,7 @@ impl Search<'_> {
             .into_iter()
             .map(|point| (self.axes.distance(centre, &self.points[point]), point))
             .collect();
-        near.sort_by(|a, b| a.0.total_cmp(&b.0));
+        sort_by_number(&mut near, |a| a.0);
         near.truncate(POINTS_PER_TERM * terms);
         let radius = near.last()?.0;
         (radius > 0.0).then(|| (near.into_iter().map(|(_, point)| point).collect(), radius))

@@ -4,7 +4,7 @@
 //! likelihood is met exactly where values lie evenly.
 
 use super::grid::{Axis, Grid, TestedCell, place};
-use loosepin_math::solve_square;
+use loosepin_math::{solve_square, sort_by_number};
 
 /// Largest rise of a parabola above the values that it goes through, in ln p: that of a normal distribution whose values are 2 standard
 /// deviations apart.
@@ -95,7 +95,7 @@ impl Distribution {
     pub fn slices(&self, unknown: usize, values: &[WeightedValue]) -> Vec<Vec<usize>> {
         let at = |value: usize| values[value].cell.at[unknown];
         let mut order: Vec<usize> = (0..values.len()).collect();
-        order.sort_by(|a, b| at(*a).total_cmp(&at(*b)));
+        sort_by_number(&mut order, |&value| at(value));
         order.chunk_by(|a, b| at(*a) == at(*b)).map(<[usize]>::to_vec).collect()
     }
 }

@@ -15,7 +15,7 @@ use super::grid::{Axis, Grid};
 use super::run_cache::{Mechanism, RunCache};
 use super::scatter::Observation;
 use super::unknowns::value;
-use loosepin_math::solve_square;
+use loosepin_math::{places_in_order, solve_square};
 use loosepin_result::motion_identification::{
     LengthColumn, LengthsRefusal, MechanismRows, SpecimenLengths, TiedLength, TiedToLengths,
 };
@@ -254,8 +254,7 @@ fn multiple_correlation(columns: &[Vec<f64>], of: &[f64]) -> f64 {
 
 /// Ranks of values; those that are equal have the middle of their ranks.
 fn ranks(values: &[f64]) -> Vec<f64> {
-    let mut order: Vec<usize> = (0..values.len()).collect();
-    order.sort_by(|a, b| values[*a].total_cmp(&values[*b]));
+    let order = places_in_order(values);
     let mut ranks = vec![0.0; values.len()];
     let mut from = 0;
     while from < order.len() {

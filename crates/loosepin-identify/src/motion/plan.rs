@@ -6,6 +6,7 @@ use super::run_cache::ProgressCallback;
 use super::unknowns::name;
 use crate::error::IdentifyProblem;
 use crate::identify::known_specimen;
+use loosepin_math::sort_by_number;
 use loosepin_result::motion_identification::{IndistinguishableMembers, MotionPlan, PlannedFeature, PlannedUnknown};
 use loosepin_study::{Deviation, MeasuredMotion, MotionError, MotionSubject, OutputSource, Reduction, Study};
 use loosepin_text::diagnostics::{Diagnostics, Place};
@@ -143,7 +144,7 @@ pub fn plan_motion(
     };
     let mut planned: Vec<PlannedFeature> =
         features.iter().enumerate().map(|(k, feature)| left(feature.name.clone(), &kept_by(&[k]))).collect();
-    planned.sort_by(|a, b| a.share_of_box.total_cmp(&b.share_of_box));
+    sort_by_number(&mut planned, |a| a.share_of_box);
     let everything = kept_by(&(0..features.len()).collect::<Vec<usize>>());
     let mut alike = Vec::new();
     for (unknown, axis) in axes.iter().enumerate() {

@@ -11,6 +11,7 @@ use super::likelihood::{RUNS_A_FEATURE, log_likelihood};
 use super::run_cache::Runs;
 use super::scatter::Observation;
 use super::unknowns::value;
+use loosepin_math::sort_by_number;
 use loosepin_result::motion_identification::{Marginal, MarginalSummary, MotionPosterior, Posterior, PosteriorRefusal};
 use loosepin_study::Study;
 
@@ -143,7 +144,7 @@ fn carrying(grid: &Grid, values: &[WeightedValue], found: &Distribution, unknown
         return Vec::new();
     }
     let mut order: Vec<usize> = (0..values.len()).collect();
-    order.sort_by(|a, b| found.weights[*b].total_cmp(&found.weights[*a]).then(a.cmp(b)));
+    sort_by_number(&mut order, |&value| -found.weights[value]);
     let mut sum = 0.0;
     order.retain(|value| {
         let is_carrying = sum < HALVED;

@@ -20,6 +20,7 @@
 
 use super::scatter::{Form, least_deviation, symmetric};
 use loosepin_math::dense::Cholesky;
+use loosepin_math::sort_ascending;
 use loosepin_study::MotionError;
 
 /// Middle, scatter on each side, and covariance of draws. It does not depend on their order.
@@ -88,7 +89,7 @@ fn length(values: &[f64]) -> f64 {
 
 /// The middle one of values, or the mean of the two.
 fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
+    sort_ascending(&mut values);
     let half = values.len() / 2;
     if values.len().is_multiple_of(2) { 0.5 * (values[half - 1] + values[half]) } else { values[half] }
 }

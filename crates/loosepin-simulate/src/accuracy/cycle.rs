@@ -2,6 +2,7 @@
 
 use super::transmission::{Transmission, is_positive};
 use crate::maximum_within;
+use loosepin_math::sort_by_number;
 use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, SampleError};
 use loosepin_mechanics::model::{CycleInput, describe_path};
 use loosepin_result::motion::SingularPosition;
@@ -71,7 +72,7 @@ impl<'a> Cycle<'a> {
             states.reverse();
         }
         let mut singular = walk.singular;
-        singular.sort_by(|a, b| a.time_s.total_cmp(&b.time_s));
+        sort_by_number(&mut singular, |a| a.time_s);
         Self { states, singular }
     }
 
@@ -82,7 +83,7 @@ impl<'a> Cycle<'a> {
             .iter()
             .map(|at| SingularPosition { drive_angle_rad: input.angle_rad(at.time_s), words: at.words.clone() })
             .collect();
-        found.sort_by(|a, b| a.drive_angle_rad.total_cmp(&b.drive_angle_rad));
+        sort_by_number(&mut found, |a| a.drive_angle_rad);
         found
     }
 

@@ -1,6 +1,6 @@
 //! Four-bar loops and slider-cranks through the ground, with their classes.
 
-use loosepin_math::Vec2;
+use loosepin_math::{Vec2, sort_ascending};
 use loosepin_mechanics::mechanism::point_m;
 use loosepin_mechanics::model::{Model, PointId, Prismatic, Values};
 use loosepin_result::kinematics::{LoopClass, LoopProperties};
@@ -162,7 +162,7 @@ fn shortest(lengths_m: [f64; 4]) -> usize {
 /// Grashof's class of a four-bar: lengths of ground, link, coupler, other link, m.
 pub fn grashof_class(lengths_m: [f64; 4]) -> LoopClass {
     let mut sorted = lengths_m;
-    sorted.sort_by(f64::total_cmp);
+    sort_ascending(&mut sorted);
     let [least, second, third, most] = sorted;
     let margin_m = second + third - least - most;
     match shortest(lengths_m) {

@@ -12,6 +12,7 @@
 //!
 //! What is beyond the range of a number is cut off, which takes no other bound to hold.
 
+use loosepin_math::places_in_order;
 use loosepin_result::study::{BoundEnd, BoundRecord, CutBounds, PercentileBounds, Reading};
 
 /// Ends of bounds, lower and upper.
@@ -104,8 +105,7 @@ fn set_widened(end: &mut BoundEnd, limit_si: f64) {
 
 /// Nests the cuts: the bounds at a higher degree of possibility lie within those at a lower one.
 pub(super) fn nest_cuts(cuts: &mut [CutBounds]) {
-    let mut places: Vec<usize> = (0..cuts.len()).collect();
-    places.sort_by(|a, b| cuts[*b].alpha.total_cmp(&cuts[*a].alpha));
+    let places = places_in_order(&cuts.iter().map(|cut| -cut.alpha).collect::<Vec<f64>>());
     for pair in places.windows(2) {
         let inner = cuts[pair[0]].bounds.clone();
         cuts[pair[1]].bounds.iter_mut().zip(&inner).for_each(|(outer, inner)| hold_inner(outer, inner));
@@ -114,8 +114,7 @@ pub(super) fn nest_cuts(cuts: &mut [CutBounds]) {
 
 /// Percentiles of one statistic do not fall with their probability.
 pub(super) fn order_percentiles(percentiles: &mut [PercentileBounds]) {
-    let mut places: Vec<usize> = (0..percentiles.len()).collect();
-    places.sort_by(|a, b| percentiles[*a].percentile.total_cmp(&percentiles[*b].percentile));
+    let places = places_in_order(&percentiles.iter().map(|bounds| bounds.percentile).collect::<Vec<f64>>());
     for pair in places.windows(2) {
         let smaller = percentiles[pair[0]].bounds.clone();
         let larger = percentiles[pair[1]].bounds.iter_mut().zip(&smaller);

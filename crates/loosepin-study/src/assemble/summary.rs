@@ -4,6 +4,7 @@ use super::material::Material;
 use crate::file::EpistemicInput;
 use crate::response::extras::{JointExtras, RunExtras};
 use loosepin_bounds::{Gaps, Purpose};
+use loosepin_math::sort_ascending;
 use loosepin_mechanics::mechanism::Sample;
 use loosepin_result::study::{
     EnergyResiduals, GapRecord, HistogramBin, JointImpacts, PurposeRuns, RunCounts, StudiedLaw,
@@ -64,7 +65,7 @@ pub fn settled_share(material: &Material<'_>) -> Option<f64> {
 pub fn energy(material: &Material<'_>) -> Option<EnergyResiduals> {
     let mut residuals: Vec<f64> =
         finished(material).map(|extras| extras.energy_residual).filter(|residual| residual.is_finite()).collect();
-    residuals.sort_by(f64::total_cmp);
+    sort_ascending(&mut residuals);
     let quantile =
         |share: f64| residuals[((residuals.len() as f64 * share).ceil() as usize).clamp(1, residuals.len()) - 1];
     if residuals.is_empty() {
@@ -124,7 +125,7 @@ pub fn impacts(material: &Material<'_>) -> Vec<JointImpacts> {
             };
             let known = |range: [f64; 2]| (range[0] <= range[1]).then_some(range);
             let mut per_turn: Vec<f64> = all.iter().map(|joint| (joint.contacts - joint.floored) / turns).collect();
-            per_turn.sort_by(f64::total_cmp);
+            sort_ascending(&mut per_turn);
             let impacts: f64 = all.iter().map(|joint| joint.contacts - joint.floored).sum();
             let beyond: f64 = all.iter().map(|joint| joint.beyond_validity).sum();
             JointImpacts {

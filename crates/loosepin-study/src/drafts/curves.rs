@@ -6,6 +6,7 @@ use crate::file::{Ask, Where};
 use crate::response::columns::{BAND, Location};
 use crate::response::study_response::StudyResponse;
 use loosepin_bounds::{Purpose, SampleTable, between_order_statistics};
+use loosepin_math::sort_ascending;
 use loosepin_result::study::{CurveRange, DraftCurve};
 
 /// Most poses of a curve: as many as a small picture shows.
@@ -55,7 +56,7 @@ fn ends_si(table: &SampleTable, column: usize, runs_at: &[Vec<usize>]) -> (f64, 
     let sorted = |runs: &Vec<usize>| {
         let values = runs.iter().map(|&run| table.values(run)[column]);
         let mut values: Vec<f64> = values.filter(|value| value.is_finite()).collect();
-        values.sort_unstable_by(f64::total_cmp);
+        sort_ascending(&mut values);
         values
     };
     // Where no run has the number, these values of the unknown inputs say nothing of it.

@@ -10,6 +10,7 @@ use crate::response::limits::{MAX_COLUMNS, MAX_LAWS, MAX_RECORDED_TURNS, MAX_TUR
 use crate::response::outputs::OutputSource;
 use crate::response::problem::PrepareError;
 use crate::response::recorder::{Shared, positions};
+use loosepin_math::sort_by_number;
 use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, MechanismError, Sample, SampleError};
 use loosepin_mechanics::model::{
     ContactId, CycleInput, CycleSpan, LawError, Model, NormalDescription, PlayId, Position, QuantityError, QuantityId,
@@ -357,7 +358,7 @@ fn share_nominal(
             Location::Reduced(_) => None,
         })
         .collect();
-    pose_order.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    sort_by_number(&mut pose_order, |(turns, _)| *turns);
     let mut nominal_at_pose = vec![f64::NAN; plan.columns.len()];
     reference = fresh()?;
     for (at, index) in pose_order {

@@ -6,7 +6,7 @@
 use crate::file::{Deviation, Reduction};
 use crate::response::columns::{ColumnPlan, Location};
 use crate::response::outputs::OutputSource;
-use loosepin_math::Vec2;
+use loosepin_math::{Vec2, sort_ascending};
 use loosepin_mechanics::dynamics::Dynamics;
 use loosepin_mechanics::mechanism::SampleError;
 use loosepin_mechanics::model::{JointId, WearMeasure};
@@ -96,7 +96,7 @@ impl Shared {
                 instants_turns.push(turns);
             }
         }
-        instants_turns.sort_by(f64::total_cmp);
+        sort_ascending(&mut instants_turns);
         instants_turns.dedup();
         let mut origins = Vec::with_capacity(plan.columns.len());
         for (index, column) in plan.columns.iter().enumerate() {

@@ -20,6 +20,7 @@ use crate::response::outputs::OutputSource;
 use crate::response::planar_response::{POSE_ROUND_OFF, check_poses, check_turns};
 use crate::response::problem::PrepareError;
 use crate::response::recent_ends::{EndsOfSample, RecentEnds};
+use loosepin_math::sort_ascending;
 use loosepin_mechanics::model::CycleSpan;
 use loosepin_simulate::RunFailure;
 use loosepin_space::{
@@ -296,7 +297,7 @@ impl Places {
         });
         let is_new = |turns: &f64| (of_cycle[nearest(&of_cycle, *turns)] - turns).abs() > POSE_ROUND_OFF;
         let mut turns: Vec<f64> = of_cycle.iter().copied().chain(asked.filter(is_new)).collect();
-        turns.sort_by(f64::total_cmp);
+        sort_ascending(&mut turns);
         turns.dedup();
         let weight = |row: usize| if !is_closed && (row == 0 || row == last) { 0.5 } else { 1.0 };
         let grid = of_cycle.iter().enumerate().map(|(row, at)| (nearest(&turns, *at), weight(row))).collect();

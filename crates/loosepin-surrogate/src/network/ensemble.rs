@@ -3,6 +3,7 @@
 use crate::design::Design;
 use crate::network::layer::Network;
 use crate::network::training::{Trained, train};
+use loosepin_math::sort_by_number;
 use loosepin_uncertainty::hash;
 use serde::{Deserialize, Serialize};
 
@@ -25,7 +26,7 @@ impl Ensemble {
         let mut trained: Vec<Trained> =
             (0..STARTS).map(|start| train(&design.scaled, values, neurons, hash(seed, start as u64))).collect();
         // Sorting is stable: of equal ones the first stays first.
-        trained.sort_by(|a, b| b.evidence.total_cmp(&a.evidence));
+        sort_by_number(&mut trained, |a| -a.evidence);
         Self { networks: trained.into_iter().take(KEPT).map(|trained| trained.network).collect() }
     }
 

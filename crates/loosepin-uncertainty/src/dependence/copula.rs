@@ -2,6 +2,7 @@
 
 use crate::dependence::correlation::GaussianCopula;
 use crate::variables::random_variable::QuantileLevel;
+use loosepin_math::places_in_order;
 
 /// How random inputs go together.
 #[derive(Debug, Clone, PartialEq)]
@@ -52,8 +53,7 @@ impl EmpiricalCopula {
         }
         let mut ranks = vec![vec![0; inputs]; rows.len()];
         for input in 0..inputs {
-            let mut order: Vec<usize> = (0..rows.len()).collect();
-            order.sort_by(|a, b| rows[*a][input].total_cmp(&rows[*b][input]));
+            let order = places_in_order(&rows.iter().map(|row| row[input]).collect::<Vec<f64>>());
             for (rank, row) in order.into_iter().enumerate() {
                 ranks[row][input] = rank;
             }

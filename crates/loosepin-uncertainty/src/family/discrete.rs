@@ -2,6 +2,7 @@
 
 use super::{Family, Tails, finite, positive};
 use crate::variables::distribution::DistributionError;
+use loosepin_math::sort_by_number;
 
 /// How far probabilities may sum up to something else than 1: a few more digits than people write.
 const SUM_TOLERANCE: f64 = 1e-9;
@@ -30,7 +31,7 @@ impl Discrete {
             return Err(DistributionError::SumNotOne { sum });
         }
         let mut atoms: Vec<(f64, f64)> = values.iter().copied().zip(probabilities.iter().copied()).collect();
-        atoms.sort_by(|a, b| a.0.total_cmp(&b.0));
+        sort_by_number(&mut atoms, |a| a.0);
         if let Some(pair) = atoms.windows(2).find(|pair| pair[0].0 == pair[1].0) {
             return Err(DistributionError::ValueTwice { value: pair[0].0 });
         }

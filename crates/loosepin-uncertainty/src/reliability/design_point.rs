@@ -2,6 +2,7 @@
 
 use super::{dot, square};
 use crate::{hash, normal};
+use loosepin_math::sort_by_number;
 
 /// Half the distance of the differences that give a gradient, in standard deviations: wide enough for a simulation that is exact to a
 /// hundredth of its scatter, narrow against the curvature of limit states.
@@ -188,7 +189,7 @@ fn further_starts<E>(
     }
     let values = limit_state(&probes)?;
     let mut order: Vec<usize> = (0..probes.len()).filter(|&k| values[k].is_finite()).collect();
-    order.sort_by(|&a, &b| values[a].total_cmp(&values[b]));
+    sort_by_number(&mut order, |&probe| values[probe]);
     let mut starts: Vec<Vec<f64>> = Vec::new();
     for index in order {
         let cosine = |other: &Vec<f64>| dot(other, &probes[index]) / (PROBE_RADIUS * PROBE_RADIUS);

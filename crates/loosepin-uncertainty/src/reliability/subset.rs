@@ -2,6 +2,7 @@
 
 use super::{RARE_CONFIDENCE, RareEstimate, RareProbability};
 use crate::{hash, normal, normal_quantile};
+use loosepin_math::places_in_order;
 
 /// Share of each level that the next one begins from.
 const LEVEL_SHARE: usize = 10;
@@ -80,8 +81,7 @@ pub fn subset_simulation<E>(
     let mut number = 0;
     loop {
         number += 1;
-        let mut order: Vec<usize> = (0..level).collect();
-        order.sort_by(|&a, &b| values[a].total_cmp(&values[b]));
+        let order = places_in_order(&values[..level]);
         let threshold = values[order[chains]].max(0.0);
         let is_event: Vec<bool> = values.iter().map(|&value| value <= threshold).collect();
         let hits = is_event.iter().filter(|hit| **hit).count();

@@ -1,6 +1,7 @@
 //! Extreme probabilities of an event in a box of unknown inputs: by the reliability index, which is not flat.
 
 use super::design_point::{DesignPoint, DesignSearch, design_points, search_design_point};
+use loosepin_math::sort_by_number;
 
 /// First and last step of the search, in shares of the box.
 const FIRST_STEP: f64 = 0.25;
@@ -148,7 +149,7 @@ fn follow<E>(
             found.push(DesignPoint { index: sign * next.index, ..next });
         }
     }
-    found.sort_by(|a, b| a.index.abs().total_cmp(&b.index.abs()));
+    sort_by_number(&mut found, |point| point.index.abs());
     Ok((!found.is_empty()).then_some(found))
 }
 

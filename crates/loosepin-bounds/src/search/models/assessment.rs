@@ -2,6 +2,7 @@
 
 use crate::search::models::gaussian_process::Model;
 use crate::search::rough::roughness::Scatter;
+use loosepin_math::sort_by_number;
 
 /// Noise ratios τ of the grid. The first stands for none, and keeps the matrices positive definite.
 pub(in crate::search) const NOISE_RATIOS: [f64; 6] = [1e-11, 1e-4, 1e-2, 0.3, 5.0, 100.0];
@@ -99,7 +100,7 @@ pub(in crate::search) struct Honest {
 pub(in crate::search) fn least_honest(assessed: &[Assessed<'_>], residual: &[f64], freedom: f64) -> Option<Honest> {
     let misfit = |index: usize| assessed[index].misfit;
     let mut by_misfit: Vec<usize> = (0..assessed.len()).filter(|&index| !misfit(index).is_nan()).collect();
-    by_misfit.sort_by(|&a, &b| misfit(a).total_cmp(&misfit(b)));
+    sort_by_number(&mut by_misfit, |&index| misfit(index));
     let mut least: Option<Honest> = None;
     for index in by_misfit {
         // What must be stated is never likelier than what is likeliest.

@@ -14,6 +14,7 @@ use crate::search::models::noise::Noise;
 use crate::search::models::prediction::{Allowance, Prediction};
 use crate::search::models::smoother::{Fit, Smoother};
 use crate::search::search_box::{Axes, Region};
+use loosepin_math::{sort_ascending, sort_by_number};
 
 /// Points that one smoother sees, at most: it factorises matrices of this order.
 const MAX_TOGETHER: usize = 512;
@@ -288,10 +289,10 @@ fn divide(points: &[Vec<f64>], own: Vec<usize>, region: Region, parts: &mut Vec<
 fn division(points: &[Vec<f64>], own: &[usize], region: &Region) -> Option<(usize, f64)> {
     let mut axes: Vec<usize> = (0..region.lower.len()).collect();
     let side = |axis: usize| region.upper[axis] - region.lower[axis];
-    axes.sort_by(|&a, &b| side(b).total_cmp(&side(a)).then(a.cmp(&b)));
+    sort_by_number(&mut axes, |&axis| -side(axis));
     axes.into_iter().find_map(|axis| {
         let mut along: Vec<f64> = own.iter().map(|&point| points[point][axis]).collect();
-        along.sort_unstable_by(f64::total_cmp);
+        sort_ascending(&mut along);
         // Many points may share a face: the border is the step nearest to the middle that is one.
         let middle = along.len() / 2;
         let steps = (1..along.len()).filter(|&i| along[i - 1] < along[i]);
@@ -306,7 +307,7 @@ fn division(points: &[Vec<f64>], own: &[usize], region: &Region) -> Option<(usiz
 fn with_neighbours(points: &[Vec<f64>], own: &[usize], region: &Region, axes: &Axes) -> Vec<usize> {
     let others = (0..points.len()).filter(|point| own.binary_search(point).is_err());
     let mut others: Vec<(f64, usize)> = others.map(|point| (region.distance(axes, &points[point]), point)).collect();
-    others.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    sort_by_number(&mut others, |other| other.0);
     let near = others.into_iter().take(MAX_SEEN.saturating_sub(own.len())).map(|(_, point)| point);
     let mut seen: Vec<usize> = own.iter().copied().chain(near).collect();
     seen.sort_unstable();

@@ -11,6 +11,7 @@ use crate::search::models::shared_grids::SharedGrids;
 use crate::search::models::target_model::{Forecast, TargetModel};
 use crate::search::search_box::{Axes, BoxPoint};
 use crate::search::target::Target;
+use loosepin_math::sort_by_number;
 
 /// So many targets are modelled together.
 pub(crate) const TARGETS_AT_ONCE: usize = 16;
@@ -133,7 +134,7 @@ impl<'a> Search<'a> {
         }
         let prepare = |(defined, extremes): (Vec<usize>, BTreeMap<usize, usize>)| {
             let mut extremes: Vec<(usize, usize)> = extremes.into_iter().collect();
-            extremes.sort_by_key(|&(point, count)| (core::cmp::Reverse(count), point));
+            sort_by_number(&mut extremes, |&(_, count)| -(count as f64));
             let near = extremes
                 .into_iter()
                 .take(MAX_NEIGHBOURHOODS)

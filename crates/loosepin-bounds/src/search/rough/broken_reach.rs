@@ -10,6 +10,7 @@
 use crate::data::direction::{Direction, extreme_among};
 use crate::search::search_box::{Axes, BoxPoint, Region};
 use loosepin_math::dense::dot;
+use loosepin_math::sort_by_number;
 
 /// Largest distance of the neighbours of an extreme between two slopes, in units of the box: a rounded extreme changes by a few resolutions
 /// of the search there, so that where it is taken for a kink the allowance is small.
@@ -79,7 +80,7 @@ pub(crate) fn reach_of_break(
             beside.push(Neighbour { steps, distance, fall });
         }
     }
-    beside.sort_by(|a, b| a.distance.total_cmp(&b.distance));
+    sort_by_number(&mut beside, |a| a.distance);
     let surroundings = Surroundings { dimensions: centre.len() - faces.len(), beside };
     let further = [surroundings.beyond_kink(), surroundings.beyond_edge()].into_iter().flatten().reduce(f64::max)?;
     Some(values[extreme] + direction.sign() * further)

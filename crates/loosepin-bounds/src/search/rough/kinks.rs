@@ -5,6 +5,7 @@ use crate::search::models::of_points::{MIN_DISTANCE, Search};
 use crate::search::parts::Element;
 use crate::search::search_box::BoxPoint;
 use crate::search::target::Target;
+use loosepin_math::sort_by_number;
 
 /// Slopes that differ by less than this share belong to a straight line.
 const STRAIGHTNESS: f64 = 0.25;
@@ -69,7 +70,7 @@ impl Search<'_> {
                 .map(|&point| (offset(point), target.values[point]))
                 .filter(|(offset, value)| *offset > 0.0 && value.is_finite())
                 .collect();
-            nearest.sort_by(|a, b| a.0.total_cmp(&b.0));
+            sort_by_number(&mut nearest, |a| a.0);
             let [first, second, third] = nearest.get(..3)?.try_into().ok()?;
             let slope = |a: (f64, f64), b: (f64, f64)| (b.1 - a.1) / (b.0 - a.0);
             let (near, far) = (slope(first, second), slope(second, third));

@@ -5,6 +5,7 @@ use crate::file::measurements::specimen_problem::SpecimenProblem;
 use crate::file::problem::StudyProblem;
 use crate::file::reader::{StudyReader, adopt};
 use crate::file::study::Study;
+use loosepin_math::sort_ascending;
 use loosepin_mechanics::model::QuantityId;
 use loosepin_simulate::accuracy::ScatterCorrelation;
 use loosepin_simulate::measured::{JointColumn, JointSample};
@@ -175,7 +176,7 @@ impl StudyReader {
         order: &[usize],
     ) -> Option<RandomVariable> {
         let mut values: Vec<f64> = rows.iter().map(|row| row[input]).collect();
-        values.sort_by(f64::total_cmp);
+        sort_ascending(&mut values);
         match RandomVariable::try_new(Distribution::Empirical { values: values.into() }) {
             Ok(variable) => Some(variable),
             Err(error) => {

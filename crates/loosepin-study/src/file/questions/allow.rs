@@ -3,6 +3,7 @@
 use crate::file::description::{Allowance, AllowedInput};
 use crate::file::problem::StudyProblem;
 use crate::file::reader::StudyReader;
+use loosepin_math::sort_by_number;
 use loosepin_mechanics::model::QuantityId;
 use loosepin_result::study::Together;
 use loosepin_text::document::{Choice, Entry, Kind, Reads, Value};
@@ -112,7 +113,7 @@ impl StudyReader {
                 }
                 costs.push([value, cost]);
             }
-            costs.sort_by(|a, b| a[0].total_cmp(&b[0]));
+            sort_by_number(&mut costs, |a| a[0]);
             // What is tighter costs more, or nobody would choose what is looser.
             if costs.is_empty() || costs.windows(2).any(|pair| pair[0][0] == pair[1][0] || pair[0][1] <= pair[1][1]) {
                 return self.refused(&StudyProblem::Costs { entry: list.path.describe() }, list.span);

@@ -7,6 +7,7 @@ use crate::file::random_inputs::fit::{DIAMETER, FIT};
 use crate::file::random_inputs::random_problem::{RandomProblem, short_number};
 use crate::file::reader::{StudyReader, adopt};
 use crate::file::words::words;
+use loosepin_math::sort_ascending;
 use loosepin_mechanics::model::QuantityId;
 use loosepin_simulate::measured::SampleColumn;
 use loosepin_text::diagnostics::Diagnostic;
@@ -186,7 +187,7 @@ impl StudyReader {
             return self.refused(&problem, entry.span);
         }
         let mut values = column.values_si;
-        values.sort_by(f64::total_cmp);
+        sort_ascending(&mut values);
         let count = values.len();
         let origin = |how: &str| format!("{how} of '{}' in {file}", column.name);
         let Some((family, written)) = fitted else {

@@ -6,6 +6,7 @@ use super::without_dynamics::{Effects, WithoutDynamics};
 use crate::assemble::Material;
 use crate::file::{Deviation, EpistemicInput, Study};
 use loosepin_bounds::{DoubleLoop, Pinching};
+use loosepin_math::sort_by_number;
 use loosepin_result::study::{Contributors, EpistemicContributor, RandomContributor, ResponsePoint, ShareRange};
 use loosepin_uncertainty::contributors::{Index, Indices, SHARES_CONFIDENCE};
 
@@ -66,7 +67,7 @@ fn of_subject(
             }
         })
         .collect();
-    random.sort_by(|a, b| b.band_share.total_cmp(&a.band_share));
+    sort_by_number(&mut random, |a| -a.band_share);
     let mut epistemic: Vec<EpistemicContributor> = study
         .epistemic
         .iter()

@@ -2,6 +2,7 @@
 
 use crate::file::{Ask, Deviation, Reduction, Where};
 use crate::response::columns::{ColumnPlan, Location, StudyColumn};
+use loosepin_math::sort_by_number;
 use loosepin_result::study::RequirementOutcome;
 
 /// Places of one output in a requirement or a question that does not ask for contributors: more tables would hide the first.
@@ -63,7 +64,7 @@ fn of_ask(ask: &Ask) -> Vec<Subject> {
 fn required(plan: &ColumnPlan, outcomes: &[RequirementOutcome], output: usize) -> Vec<Subject> {
     let mut own: Vec<_> =
         plan.required().zip(outcomes).filter(|((required, _), _)| required.output == output).collect();
-    own.sort_by(|(_, a), (_, b)| a.probability[0].total_cmp(&b.probability[0]));
+    sort_by_number(&mut own, |(_, outcome)| outcome.probability[0]);
     own.into_iter().map(|((required, column), _)| number(required.deviation, column)).take(MAX_PLACES).collect()
 }
 

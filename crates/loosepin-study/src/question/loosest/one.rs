@@ -10,6 +10,7 @@ use crate::planning::problem::problem;
 use crate::response::study_response::StudyResponse;
 use crate::runs::all_runs::Runs;
 use loosepin_bounds::{Refinement, SampleTable};
+use loosepin_math::sort_by_number;
 use loosepin_result::study::{
     AllocatedInput, AllocationRecord, AllocationStop, AllowanceCheck, AllowanceRecord, CheckAnswer, Loosened,
     RequirementOutcome, Verdict,
@@ -244,7 +245,7 @@ fn cheapest<E>(
         combinations = extended.collect();
     }
     let cost = |places: &[usize]| places.iter().zip(offers).map(|(&place, of)| of[place][1]).sum::<f64>();
-    combinations.sort_by(|a, b| cost(a).total_cmp(&cost(b)));
+    sort_by_number(&mut combinations, |places| cost(places));
     let mut refused: Vec<Vec<usize>> = Vec::new();
     let stop = AllocationStop::AllExcluded;
     let mut found = Cheapest { chosen: None, stop, combinations: combinations.len(), tried: 0, excluded: 0 };
