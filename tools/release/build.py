@@ -8,6 +8,7 @@ import os
 import shutil
 import subprocess
 import tarfile
+import tomllib
 from io import BytesIO
 from pathlib import Path
 
@@ -33,6 +34,11 @@ def git(*arguments: str) -> str:
     return output("git", *arguments, cwd=REPOSITORY).decode().strip()
 
 
+def compiler_flags() -> list[str]:
+    """The flags of every build of the repository."""
+    return tomllib.loads((REPOSITORY / ".cargo/config.toml").read_text())["build"]["rustflags"]
+
+
 def environment(folder: Path, commit: str, tools: Tools) -> dict[str, str]:
     """What makes the bytes depend on the commit and the tools alone."""
     sources, target = folder / "sources", folder / "target"
@@ -44,7 +50,8 @@ def environment(folder: Path, commit: str, tools: Tools) -> dict[str, str]:
         "CARGO_INCREMENTAL": "0",
         "CARGO_PROFILE_RELEASE_DEBUG": "false",
         "CARGO_PROFILE_RELEASE_STRIP": "symbols",
-        "CARGO_ENCODED_RUSTFLAGS": "\x1f".join(f"--remap-path-prefix={place}={name}" for place, name in places),
+        # Flags of the environment replace those of the repository.
+        "CARGO_ENCODED_RUSTFLAGS": "\x1f".join(compiler_flags() + [f"--remap-path-prefix={place}={name}" for place, name in places]),
         "CFLAGS": " ".join(f"-ffile-prefix-map={place}={name}" for place, name in places),
         "LOOSEPIN_COMMIT": commit[:COMMIT_DIGITS],
         "SOURCE_DATE_EPOCH": git("log", "-1", "--format=%ct", commit),
