@@ -1,5 +1,6 @@
 //! Numbers that the equations run on: plain, dual (exact derivatives), and small geometry and linear algebra over them.
 
+mod geometry;
 pub mod integrate;
 mod solve;
 
@@ -12,7 +13,6 @@ mod order;
 mod outlined;
 mod real;
 mod scalar;
-mod vector;
 
 pub use bracket::Bracket;
 pub use dual::Dual;
@@ -29,6 +29,7 @@ pub use functions::spline::{
 };
 pub use functions::whole_range::{full_range_exponential, full_range_logarithm, full_range_power};
 pub use fused::with_vector_instructions;
+pub use geometry::{Frame, Pose, Quaternion, Rotation, Vec2, Vec3};
 pub use numbers::Numbers;
 pub use order::{places_in_order, sort_ascending, sort_by_number};
 pub use outlined::Outlined;
@@ -42,4 +43,3 @@ pub use solve::gram::GramSystem;
 pub use solve::ldl::{Envelope, factor_ldl, solve_ldl, solve_sparse_symmetric};
 pub use solve::svd::SingularValues;
 pub use solve::{dense, descent};
-pub use vector::Vec2;

@@ -8,7 +8,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::kinematics::KinematicProperties;
 use crate::simulation::{Drawing, Override};
-use crate::study::{Deviation, PathError};
+use crate::study::PathError;
+use loosepin_terms::Deviation;
 use loosepin_text::units::{DisplayUnits, SiUnit, extended};
 
 /// The ideal motion over one cycle and the quasi-static effect of the clearances: no dynamics.

@@ -14,7 +14,6 @@ mod wear;
 
 use crate::contact_basis::{ContactBasis, LongPinForce};
 use crate::repeat::Repeat;
-use crate::study::Deviation;
 use crate::study::accuracy::is_zero_count;
 pub use control::{ControlHistory, ErrorOscillation, OscillationTrend};
 pub use drawing::{
@@ -24,6 +23,7 @@ pub use drawing::{
 pub use drawn_joint::{DrawnJointKind, DrawnPin};
 pub use end_state::EndState;
 pub use life::{JointLifeRecord, LifeLimitRecord, OutputLifeRecord, SurfaceLifeRecord, WearLifeRecord};
+use loosepin_terms::Deviation;
 pub use measured::{Abscissa, MeasuredCurve};
 pub use motion_kind::{LyapunovRecord, MotionKind, NeighbourKind, REPEAT_SHARE, SectionedOutput};
 pub use run_path::RunPath;
@@ -403,7 +403,7 @@ pub struct Extreme {
 impl Extreme {
     /// Records of older versions do not say which are deviations.
     fn of_older_records() -> Deviation {
-        Deviation::Value
+        Deviation::of_value()
     }
 }
 

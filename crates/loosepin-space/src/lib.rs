@@ -37,7 +37,6 @@ mod accuracy;
 mod chain;
 mod closure;
 mod enclosure;
-mod geometry;
 mod kind;
 mod mechanism;
 mod mobility;
@@ -55,20 +54,18 @@ pub use accuracy::{
     LargestNorm, LeastPlay, MarkerError, MarkerGain, MarkerGains, MarkerScatter, MarkerSide, PlacedBlock,
     PlayDistribution, PlaySet, PoseAccuracy, ProvenEnds, SampledDeviation, SearchOptions, WorstCase,
 };
-pub use chain::{ChainError, ChainPose, ChainSample, EndPose, OpenChain};
+pub use chain::{ChainError, ChainPose, ChainSample, OpenChain};
 pub use closure::error::{ClosureError, DrivePlace, OpenJoint};
 pub use closure::position::Position;
 pub use closure::{Cycle, RANK_THRESHOLD, assemble, cycle};
-pub use geometry::pose::Pose;
-pub use geometry::quaternion::Quaternion;
-pub use geometry::rotation::Rotation;
-pub use geometry::vector::Vec3;
 pub use kind::frames::{Axis, MarkerShift};
 pub use kind::kind_of_joint::KindOfJoint;
 pub use kind::row::Row;
 pub use kind::sign::JointSign;
 pub use kind::{Cylindrical, Planar, Prismatic, Revolute, Rigid, Screw, SpatialKind, Spherical, Universal};
+pub use loosepin_math::{Frame, Pose, Quaternion, Rotation, Vec3};
 pub use mechanism::body::Body;
+pub use mechanism::body_tree::{BodyTree, TreeJoint};
 pub use mechanism::drive::{Drive, DriveValue, JointCoordinate};
 pub use mechanism::error::MechanismError;
 pub use mechanism::joint::Joint;

@@ -51,7 +51,7 @@ fn candidates(study: &Study, specimen: Option<&str>) -> Vec<MeasuredMotion> {
             continue;
         }
         for reduction in [Reduction::MaximumAbsolute, Reduction::RootMeanSquare] {
-            let subject = MotionSubject::Located { output, deviation: Deviation::Value, reduction };
+            let subject = MotionSubject::Located { output, deviation: Deviation::of_value(), reduction };
             let words = format!("{}, {}", known.name, reduction.word().replace('_', " "));
             all.push(feature(words, &known.name, subject, known.unit.clone()));
         }

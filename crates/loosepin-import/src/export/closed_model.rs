@@ -1,8 +1,6 @@
 //! What both formats are written from.
 
-use super::tree::Tree;
-use crate::robot::Frame;
-use loosepin_space::{ModelOutputKind, PointId, SpatialMechanism, SpatialModel};
+use loosepin_space::{BodyTree, Frame, ModelOutputKind, PointId, SpatialMechanism, SpatialModel};
 use loosepin_text::numbers::Values;
 
 /// A model with its nominal values, closed at the start.
@@ -10,7 +8,7 @@ pub(super) struct Export<'m> {
     pub model: &'m SpatialModel,
     pub values: &'m Values,
     pub mechanism: &'m SpatialMechanism,
-    pub tree: &'m Tree,
+    pub tree: &'m BodyTree,
     /// Frames of the bodies at time zero.
     pub frames: &'m [Frame],
 }

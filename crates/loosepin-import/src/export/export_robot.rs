@@ -2,10 +2,8 @@
 
 use super::closed_model::Export;
 use super::problem::ExportProblem;
-use super::tree::Tree;
 use super::{mjcf, urdf};
-use crate::robot::Frame;
-use loosepin_space::{SpatialModel, assemble};
+use loosepin_space::{BodyTree, Frame, SpatialModel, assemble};
 use loosepin_text::diagnostics::{Diagnostic, Diagnostics};
 use loosepin_text::units::quoted;
 
@@ -45,13 +43,12 @@ pub fn export_robot(model: &SpatialModel, format: RobotFormat) -> Result<Exporte
     let values = model.quantities.nominal();
     let mechanism = model.mechanism(&values).map_err(|error| model.diagnostic(&error))?;
     let refused = |problem: &ExportProblem| Diagnostics::from(diagnostic(model, problem));
-    let tree = Tree::new(&mechanism).map_err(|problem| refused(&problem))?;
+    let tree = BodyTree::of_stiff_joints(&mechanism);
+    if let Some(body) = tree.unconnected() {
+        return Err(refused(&ExportProblem::NotConnected { body: mechanism.bodies()[body].name.clone() }));
+    }
     let position = assemble(&mechanism, &model.drive_values(&values, 0.0)).map_err(|error| model.not_closed(&error))?;
-    let frames: Vec<Frame> = position
-        .poses
-        .iter()
-        .map(|pose| Frame { origin_m: pose.position_m, axes: pose.orientation.rotation() })
-        .collect();
+    let frames: Vec<Frame> = position.poses.iter().map(Frame::from).collect();
     let export = Export { model, values: &values, mechanism: &mechanism, tree: &tree, frames: &frames };
     let mut notes = Vec::new();
     let with_play: Vec<&String> =

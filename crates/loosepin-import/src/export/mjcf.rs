@@ -4,9 +4,8 @@ use super::closed_model::Export;
 use super::element::Element;
 use super::link::Mass;
 use super::problem::ExportProblem;
-use super::tree::TreeJoint;
-use crate::robot::{Frame, Names};
-use loosepin_space::{Joint, JointCoordinate, KindOfJoint, Marker, Quaternion, Vec3};
+use crate::robot::Names;
+use loosepin_space::{Frame, Joint, JointCoordinate, KindOfJoint, Marker, Quaternion, TreeJoint, Vec3};
 use loosepin_text::units::quoted;
 
 /// Mass and inertia that MuJoCo is to give to bodies without: it takes no moving body without any.

@@ -2,7 +2,6 @@
 //!
 //! | Step | File |
 //! |---|---|
-//! | which joints make a tree, and which close its loops | `tree.rs` |
 //! | a link with its mass | `link.rs` |
 //! | elements of XML | `element.rs` |
 //! | the texts | `urdf.rs`, `mjcf.rs` |
@@ -18,7 +17,6 @@ mod file;
 mod link;
 mod mjcf;
 mod problem;
-mod tree;
 mod urdf;
 
 pub use export_robot::{Exported, RobotFormat, export_robot};

@@ -4,9 +4,8 @@ use super::closed_model::Export;
 use super::element::Element;
 use super::link::Mass;
 use super::problem::ExportProblem;
-use super::tree::TreeJoint;
-use crate::robot::{Frame, Names, of_roll_pitch_yaw};
-use loosepin_space::{KindOfJoint, Vec3};
+use crate::robot::{Names, of_roll_pitch_yaw};
+use loosepin_space::{Frame, KindOfJoint, TreeJoint, Vec3};
 use loosepin_text::units::quoted;
 
 /// Limits of slides, which must have some, m.
@@ -117,7 +116,7 @@ fn joint(
         "planar" => {
             // Its directions in the plane have no meaning: zero is where it starts.
             let start = export.frames[own.parent].inverse().compose(&export.frames[own.child]);
-            let at = start.point(child.point_m) - origins[own.parent];
+            let at = start.point_m(child.point_m) - origins[own.parent];
             let frame = Frame { origin_m: at, axes: start.axes };
             one(element(&joint.name, "planar", &frame, parent_name, child_name).with(of_axis(axis)), false)
         }

@@ -1,7 +1,7 @@
 //! A robot as its description has it: links on the ground, joints between frames of them. The frame of a link is that of its file.
 
-use super::frame::{Frame, about};
-use loosepin_space::{Rotation, Vec3};
+use super::frame::about;
+use loosepin_space::{Frame, Rotation, Vec3};
 
 /// The number of the link that is the ground.
 pub(super) const GROUND: usize = 0;
@@ -106,7 +106,7 @@ impl JointSide {
     pub fn seen_from(&self, link: usize, frame: &Frame) -> JointSide {
         JointSide {
             link,
-            point_m: frame.point(self.point_m),
+            point_m: frame.point_m(self.point_m),
             axis: frame.axes.apply(self.axis),
             across: frame.axes.apply(self.across),
         }

@@ -1,42 +1,7 @@
-//! Frames, and turns as robot descriptions write them.
+//! Turns as robot descriptions write them.
 
 use libm::{cos, sin};
 use loosepin_space::{Rotation, Vec3};
-
-/// A frame in another one: its origin and its axes.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Frame {
-    /// Its origin, m.
-    pub origin_m: Vec3,
-    /// Its axes.
-    pub axes: Rotation,
-}
-
-impl Frame {
-    /// The other frame itself.
-    pub const IDENTITY: Frame = Frame { origin_m: Vec3::ZERO, axes: Rotation::IDENTITY };
-
-    /// A point of this frame in the other one.
-    pub fn point(&self, point_m: Vec3) -> Vec3 {
-        self.origin_m + self.axes.apply(point_m)
-    }
-
-    /// A frame in this one, seen from the other one.
-    pub fn compose(&self, inner: &Frame) -> Frame {
-        Frame { origin_m: self.point(inner.origin_m), axes: self.axes.compose(&inner.axes) }
-    }
-
-    /// The other frame, seen from this one.
-    pub fn inverse(&self) -> Frame {
-        let axes = transposed(&self.axes);
-        Frame { origin_m: -axes.apply(self.origin_m), axes }
-    }
-}
-
-/// Rᵀ.
-pub(super) fn transposed(rotation: &Rotation) -> Rotation {
-    rotation.transposed_times(&Rotation::IDENTITY)
-}
 
 /// Components of axes below this are round-off: no π/2 of a file is exactly a quarter of a turn.
 const ROUND_OFF: f64 = 4e-16;
@@ -85,7 +50,7 @@ pub(super) fn turned_inertia(rotation: &Rotation, [xx, yy, zz, xy, xz, yz]: [f64
     }
     let rows = [Vec3::new(xx, xy, xz), Vec3::new(xy, yy, yz), Vec3::new(xz, yz, zz)];
     // Rows of R.
-    let turn = transposed(rotation);
+    let turn = rotation.transposed();
     let axes = [turn.x, turn.y, turn.z];
     let element = |i: usize, j: usize| {
         let right = Vec3::new(rows[0].dot(axes[j]), rows[1].dot(axes[j]), rows[2].dot(axes[j]));

@@ -26,7 +26,7 @@ mod problem;
 mod urdf;
 mod xml;
 
-pub(crate) use frame::{Frame, of_roll_pitch_yaw};
+pub(crate) use frame::of_roll_pitch_yaw;
 pub use import::import_robot;
 pub(crate) use names::Names;
 pub(crate) use numbers::number;

@@ -5,7 +5,7 @@ use maud::{Markup, html};
 use crate::charts::figure::{Picture, csv_number};
 use crate::charts::plane_view::{PlaneView, bars, is_closed, magnification, size_m};
 use crate::numbers::number::{NumberWriter, Rounding};
-use loosepin_result::study::{CurveRange, Deviation, DeviationCurve, PathCurve, SimultaneousCurve};
+use loosepin_result::study::{CurveRange, DeviationCurve, PathCurve, SimultaneousCurve};
 use loosepin_text::units::SiUnit;
 
 /// The figure, or nothing where the curve is no distance from a path, or has no ends.
@@ -59,7 +59,7 @@ pub(crate) fn zone_figure(curve: &DeviationCurve, name: String, subject: &str, w
     let borders = format!("{}{closing}{}{closing}", view.line(&upper), view.line(&lower));
     let ideal: Vec<[f64; 2]> = (0..poses).map(|k| [path.x_m[k], path.y_m[k]]).collect();
     // Scatter of the parts alone leaves nominal parts where they are.
-    let has_nominal = curve.of != Deviation::Dimensional
+    let has_nominal = curve.of.has_play()
         && curve.nominal_si.len() == poses
         && curve.nominal_si.iter().all(|value| value.is_finite());
     let nominal = has_nominal.then(|| beside(&curve.nominal_si));
@@ -83,7 +83,7 @@ pub(crate) fn zone_figure(curve: &DeviationCurve, name: String, subject: &str, w
                  at most "
                 (writer.rounded(largest_m, &curve.unit, 2, Rounding::Up)) " to a side."
                 @if nominal.is_some() { " Black: nominal parts." }
-                @if curve.of == Deviation::Clearance {
+                @if curve.of.is_by_play_alone() {
                     " Deviations are those of each mechanism from its own ideal path, drawn on the nominal ideal path."
                 }
     };

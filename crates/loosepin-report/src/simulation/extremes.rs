@@ -4,7 +4,6 @@ use crate::numbers::number::{NumberWriter, PLAIN_DIGITS};
 use crate::numbers::tag::Tag;
 use crate::words::wording::{deviation_words, head, without_round_off};
 use loosepin_result::simulation::{Extreme, ExtremePoint, SimulationRecord};
-use loosepin_result::study::Deviation;
 use loosepin_text::article::{Cell, Column, Content, Medium, Section, Table, Text};
 use loosepin_text::units::SiUnit;
 
@@ -61,8 +60,9 @@ fn end_cells(
 
 /// What an extreme is of: `slider`, or `slider, deviation`.
 fn extreme_words(extreme: &Extreme) -> String {
-    match extreme.of {
-        Deviation::Value => extreme.name.clone(),
-        of => format!("{}, {}", extreme.name, deviation_words(of)),
+    if extreme.of.is_value() {
+        extreme.name.clone()
+    } else {
+        format!("{}, {}", extreme.name, deviation_words(extreme.of))
     }
 }

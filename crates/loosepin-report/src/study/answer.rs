@@ -162,7 +162,7 @@ fn main_curve(result: &StudyResult) -> Option<&DeviationCurve> {
     result
         .curves
         .iter()
-        .find(|curve| curve.of == Deviation::Total)
+        .find(|curve| curve.of == Deviation::of_all_causes())
         .or(result.curves.first())
         .filter(|curve| !curve.mixed.lower_si.is_empty())
 }

@@ -62,7 +62,7 @@ fn of_output<'r>(result: &'r StudyResult, name: &str) -> Vec<OutputSummary<'r>> 
     };
     let curves = || result.curves.iter().filter(|curve| curve.output == name && !curve.mixed.lower_si.is_empty());
     let whole = || largest().chain(curves().map(OutputSummary::Curve));
-    let total = whole().find(|summary| summary.of() == Deviation::Total);
+    let total = whole().find(|summary| summary.of() == Deviation::of_all_causes());
     if let Some(summary) = total.or_else(|| whole().next()) {
         return vec![summary];
     }
@@ -77,14 +77,15 @@ fn of_output<'r>(result: &'r StudyResult, name: &str) -> Vec<OutputSummary<'r>> 
 
 /// The first quantile of a largest total deviation that is asked for, with its probability.
 pub(crate) fn main_bound(bounds: &[BoundRecord]) -> Option<(&BoundRecord, f64)> {
-    let mut total = bounds.iter().filter(|bound| bound.treatment == Treatment::Mixed && bound.of == Deviation::Total);
+    let mut total =
+        bounds.iter().filter(|bound| bound.treatment == Treatment::Mixed && bound.of == Deviation::of_all_causes());
     total.find_map(|bound| Some((bound, probability_of_largest(bound)?)))
 }
 
 /// The probability of a bound that is a quantile, above the median and known, of the largest magnitude over the cycle.
 fn probability_of_largest(bound: &BoundRecord) -> Option<f64> {
     let probability = bound.statistic.probability_of_quantile()?;
-    let is_largest = bound.at == (ResponsePoint::Reduced { reduction: Reduction::MaximumAbsolute });
+    let is_largest = bound.at == (ResponsePoint::Reduced { reduction: Reduction::largest_magnitude() });
     (is_largest && probability > 0.5 && bound.upper.widened_si.is_finite()).then_some(probability)
 }
 
@@ -199,10 +200,7 @@ fn curve_sentence(result: &StudyResult, curve: &DeviationCurve, writer: &NumberW
     } else {
         between(lowest, highest, &curve.unit, &writer.with_tag(&mixed))
     };
-    let stays = match curve.of {
-        Deviation::Value => format!("lies {range}"),
-        _ => format!("stays {range} {from}"),
-    };
+    let stays = if curve.of.is_value() { format!("lies {range}") } else { format!("stays {range} {from}") };
     format!("At each angle of {drive}, the {name} {stays} in at least {share} of mechanisms.")
 }
 

@@ -3,7 +3,7 @@
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::Tag;
 use crate::words::wording::{count, counted, deviation_of, listed, output_unit, output_words};
-use loosepin_result::study::{Deviation, FurtherOutput, FurtherTurns, Reduction, RequirementOutcome, StudyResult};
+use loosepin_result::study::{FurtherOutput, FurtherTurns, RequirementOutcome, StudyResult};
 
 /// Outputs that are shown; all of them are in the files.
 const MAX_TOLD: usize = 3;
@@ -32,8 +32,7 @@ fn excess_words(result: &StudyResult, further: &FurtherTurns, writer: &NumberWri
     let runs = counted(further.runs, "run", &writer.with_tag(&Tag::Count("continued runs")));
     let mut told: Vec<&FurtherOutput> = Vec::new();
     // Parts of a deviation are in the files.
-    let (whole, parts): (Vec<_>, Vec<_>) =
-        further.outputs.iter().partition(|one| matches!(one.of, Deviation::Value | Deviation::Total));
+    let (whole, parts): (Vec<_>, Vec<_>) = further.outputs.iter().partition(|one| one.of.cause().is_none());
     for one in whole.into_iter().chain(parts) {
         if told.len() < MAX_TOLD && !told.iter().any(|known| known.output == one.output) {
             told.push(one);
@@ -42,10 +41,8 @@ fn excess_words(result: &StudyResult, further: &FurtherTurns, writer: &NumberWri
     let excess = |one: &&FurtherOutput| {
         let unit = output_unit(result, &one.output);
         let what = extreme_words(one, result);
-        let [went, did_not] = match one.reduction {
-            Reduction::Minimum => ["fell", "did not fall"],
-            _ => ["grew", "did not grow"],
-        };
+        let falls = one.reduction.moved_by_more_turns().is_some_and(|direction| direction < 0.0);
+        let [went, did_not] = if falls { ["fell", "did not fall"] } else { ["grew", "did not grow"] };
         if !(one.largest_excess_si > 0.0) {
             return format!("{what} {did_not}");
         }
@@ -64,15 +61,11 @@ fn excess_words(result: &StudyResult, further: &FurtherTurns, writer: &NumberWri
 
 /// `the largest deviation of slider`; `the smallest value of force`.
 fn extreme_words(one: &FurtherOutput, result: &StudyResult) -> String {
-    let which = match one.reduction {
-        Reduction::Maximum | Reduction::MaximumAbsolute => "the largest",
-        Reduction::Minimum => "the smallest",
-        Reduction::Range => "the peak-to-peak",
-        Reduction::RootMeanSquare | Reduction::Mean => "the mean",
-    };
-    match one.of {
-        Deviation::Value => format!("{which} value of {}", output_words(&one.output, &result.outputs)),
-        of => format!("{which} {}", deviation_of(&one.output, of, &result.outputs)),
+    let which = one.reduction.description().with_article;
+    if one.of.is_value() {
+        format!("{which} value of {}", output_words(&one.output, &result.outputs))
+    } else {
+        format!("{which} {}", deviation_of(&one.output, one.of, &result.outputs))
     }
 }
 

@@ -6,8 +6,8 @@ use crate::words::bound::NO_ERROR;
 use loosepin_result::simulation::SimulationRecord;
 use loosepin_result::study::{
     BoundRecord, Deviation, Guarantee, InputDescription, InputKind, NumberKind, OutputDescription, PathError,
-    PromiseRecord, Reading, Reduction, ResponsePoint, Statistic, StudyResult, SurrogateRecord, Treatment,
-    TreatmentBand, TreatmentComparison, Verdict,
+    PromiseRecord, Reading, ResponsePoint, Statistic, StudyResult, SurrogateRecord, Treatment, TreatmentBand,
+    TreatmentComparison, Verdict,
 };
 use loosepin_text::article::Text;
 use loosepin_text::units::SiUnit;
@@ -27,15 +27,7 @@ pub(crate) fn place_words(at: ResponsePoint, writer: &NumberWriter) -> String {
         ResponsePoint::Pose { pose_rad } | ResponsePoint::Curve { pose_rad } => {
             format!("at {}", writer.with_tag(&Tag::Given("pose")).value_trimmed(pose_rad, &SiUnit::ANGLE))
         }
-        ResponsePoint::Reduced { reduction } => match reduction {
-            Reduction::Maximum => "largest value in the cycle",
-            Reduction::Minimum => "smallest value in the cycle",
-            Reduction::MaximumAbsolute => "largest absolute value in the cycle",
-            Reduction::Range => "peak-to-peak value in the cycle",
-            Reduction::RootMeanSquare => "root mean square over the cycle",
-            Reduction::Mean => "mean over the cycle",
-        }
-        .to_owned(),
+        ResponsePoint::Reduced { reduction } => reduction.description().words.to_owned(),
     }
 }
 

@@ -3,8 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::bound::ResponsePoint;
-use super::deviation::Deviation;
-use loosepin_terms::Statistic;
+use loosepin_terms::{Deviation, Statistic};
 use loosepin_text::units::{SiUnit, extended};
 
 /// How near the bounds were to be, what that was to cost, and what came of it.

@@ -4,9 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use super::deviation::Deviation;
-use super::reduction::Reduction;
-use loosepin_terms::{Guarantee, Reading, Statistic, Treatment};
+use loosepin_terms::{Deviation, Guarantee, Reading, Reduction, Statistic, Treatment};
 use loosepin_text::units::{SiUnit, extended};
 
 /// Lower and upper bound of one statistic over the epistemic inputs.

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::bound::{ResponsePoint, Witness};
-use super::deviation::Deviation;
+use loosepin_terms::Deviation;
 use loosepin_text::units::{SiUnit, extended};
 
 /// The contributors to one question: a number, or a whole curve (`at` is then [`ResponsePoint::Whole`], and variances and widths

@@ -3,9 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::bound::{NumericalError, ResponsePoint, Witness};
-use super::deviation::Deviation;
 use crate::contact_basis::ContactBasis;
-use loosepin_terms::Treatment;
+use loosepin_terms::{Deviation, Treatment};
 use loosepin_text::units::{SiUnit, extended};
 
 /// Deviation of one output over the cycle. All lists have one entry per element of `pose_rad`.

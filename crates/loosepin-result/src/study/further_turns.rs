@@ -3,8 +3,7 @@
 use loosepin_text::units::extended;
 use serde::{Deserialize, Serialize};
 
-use super::deviation::Deviation;
-use super::reduction::Reduction;
+use loosepin_terms::{Deviation, Reduction};
 
 /// How much further outputs go in turns after the recorded ones: measured on some of the runs whose motion does not repeat itself.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

@@ -6,7 +6,6 @@ mod allowances;
 mod answer;
 mod bound;
 mod contributors;
-mod deviation;
 mod draft;
 mod figures;
 mod further_turns;
@@ -14,7 +13,6 @@ mod inputs;
 mod path_error;
 mod promise;
 mod rare;
-mod reduction;
 mod requirement;
 mod surrogate;
 mod verdict;
@@ -32,7 +30,6 @@ pub use allowances::{
 pub use answer::{AnswerPart, QuestionAnswer};
 pub use bound::{BoundEnd, BoundRecord, NumericalError, ResponsePoint, Witness, WitnessCommand, WitnessValue};
 pub use contributors::{Contributors, EpistemicContributor, RandomContributor, ShareRange};
-pub use deviation::Deviation;
 pub use draft::{Draft, DraftCurve};
 pub use figures::{
     CoveragePoint, CurveRange, DeviationCurve, EnergyResiduals, HistogramBin, JointImpacts, PathCurve, ProbabilityBox,
@@ -45,12 +42,12 @@ pub use inputs::{
 };
 
 pub use loosepin_terms::{
-    Event, Guarantee, NumberKind, Purpose, Reading, Side, Statistic, SurrogateVerdict, Treatment,
+    Course, CourseEnds, Deviation, Event, Guarantee, Motion, NumberKind, Purpose, Reading, Reduction, Reference, Side,
+    Statistic, SurrogateVerdict, Treatment,
 };
 pub use path_error::PathError;
 pub use promise::{PromiseRecord, PromisedBand, PromisedEnd};
 pub use rare::{RareEnd, RareMethodUsed, RareRecord};
-pub use reduction::Reduction;
 pub use requirement::{CountedMechanisms, RequirementOutcome};
 pub use surrogate::{SurrogateAlong, SurrogateLearning, SurrogateOutput, SurrogatePicture, SurrogateRecord};
 pub use verdict::{KnownShare, Verdict};

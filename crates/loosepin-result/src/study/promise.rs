@@ -3,9 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::bound::{ResponsePoint, Witness};
-use super::deviation::Deviation;
 use super::figures::CurveRange;
-use loosepin_terms::{Side, Statistic};
+use loosepin_terms::{Deviation, Side, Statistic};
 use loosepin_text::units::{SiUnit, extended};
 
 /// The promise: with `confidence`, each of the ends is kept by at least `share` of the box. That is the same share for each, not of values

@@ -3,8 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::bound::ResponsePoint;
-use super::deviation::Deviation;
-use loosepin_terms::Statistic;
+use loosepin_terms::{Deviation, Statistic};
 use loosepin_text::units::extended;
 
 /// How the bounds of one small probability were estimated; the bounds themselves stand among the others.

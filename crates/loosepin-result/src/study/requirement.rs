@@ -5,8 +5,8 @@ use serde::{Deserialize, Serialize};
 
 use super::accuracy::is_zero_count;
 use super::bound::{ResponsePoint, Witness};
-use super::deviation::Deviation;
 use super::verdict::Verdict;
+use loosepin_terms::Deviation;
 
 /// A requirement `P(lower_si <= Y <= upper_si) >= probability_at_least for every value of the epistemic inputs`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

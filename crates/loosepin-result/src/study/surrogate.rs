@@ -3,9 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::bound::{BoundRecord, ResponsePoint};
-use super::deviation::Deviation;
 use super::figures::TreatmentComparison;
-use loosepin_terms::SurrogateVerdict;
+use loosepin_terms::{Deviation, SurrogateVerdict};
 use loosepin_text::units::{SiUnit, extended};
 
 /// Bounds by surrogates, beside the direct ones.

@@ -11,8 +11,8 @@ use super::play_reach::PlayReach;
 use super::sensitivity::dimension_derivatives;
 use super::unproven::{Cause, UnprovenPositions};
 use super::worst_case::{
-    CycleOfPositions, Encloser, Ends, Moving, NotProven, Objective, Positions, Reference, Variables, WeightedOutput,
-    best_across, best_of, ends_around, found_in_both_assemblies, starts_on_borders,
+    CycleOfPositions, Encloser, Ends, Moving, NotProven, Objective, Positions, Variables, WeightedOutput, best_across,
+    best_of, ends_around, found_in_both_assemblies, starts_on_borders,
 };
 use loosepin_math::Vec2;
 use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, Sample};
@@ -137,7 +137,7 @@ pub fn deviation_ends_until(
         let found = asked.found(question, &ends_si, &causes)?;
         let found =
             found.map(|(row, deviation_si)| FoundDeviation { drive_angle_rad: drive_angle_rad[row], deviation_si });
-        let moved_by = match (question.of != Deviation::Dimensional, dimensions.is_empty()) {
+        let moved_by = match (question.of.has_play(), dimensions.is_empty()) {
             (true, true) => "the play of the joints",
             (true, false) => "the play of the joints, the limits of the parts",
             (false, _) => "the limits of the parts",
@@ -235,7 +235,7 @@ impl Asked<'_, '_> {
         };
         // Without play for what lengths do alone.
         for has_play in [true, false] {
-            let of = |question: &DeviationQuestion| (question.of != Deviation::Dimensional) == has_play;
+            let of = |question: &DeviationQuestion| question.of.has_play() == has_play;
             let places: Vec<usize> = (0..questions.len()).filter(|place| of(&questions[*place])).collect();
             if places.is_empty() {
                 continue;
@@ -265,11 +265,7 @@ impl Asked<'_, '_> {
                 }
                 encloser.take_steps(Some(&steps[row]));
                 let of_place = |positions: &Positions, (reading, place): (usize, &usize)| {
-                    let reference = match questions[*place].of {
-                        Deviation::Value => Reference::ThisPosition,
-                        Deviation::Total | Deviation::Dimensional => Reference::NominalParts,
-                        Deviation::Clearance => Reference::SameParts,
-                    };
+                    let reference = questions[*place].of.reference();
                     Ends::new(balls.clone(), self.dimensions.len(), true, reference).of(positions, &[(reading, 1.0)])
                 };
                 let ends_of =
@@ -330,8 +326,7 @@ impl Asked<'_, '_> {
         let is_proven = |row: &usize| ends_si[*row].iter().all(|end| end.is_finite());
         let rows = 0..ends_si.len();
         // By play alone: the search of the whole cycle, whose number stands on the same page.
-        if question.of == Deviation::Clearance && self.dimensions.is_empty() && !rows.clone().all(|row| is_proven(&row))
-        {
+        if question.of.is_by_play_alone() && self.dimensions.is_empty() && !rows.clone().all(|row| is_proven(&row)) {
             return self.found_over_cycle(question, ends_si, causes);
         }
         let mut found = [(0, 0.0); 2];
@@ -395,7 +390,7 @@ impl Asked<'_, '_> {
         loops.set_position(state.coordinates());
         let nominal = loops.value(question.reading);
         let mut moved = Vec::new();
-        if question.of != Deviation::Clearance {
+        if !question.of.is_by_play_alone() {
             for (limit, direction) in self.dimensions {
                 let slope = dimension_derivatives(
                     &mut loops,
@@ -414,7 +409,7 @@ impl Asked<'_, '_> {
         let mut loops = DisplacedLoops::new(self.mechanism, &values);
         loops.close_near(state.coordinates()).ok()?;
         let by_parts = loops.value(question.reading) - nominal;
-        let by_play = if question.of == Deviation::Dimensional {
+        let by_play = if !question.of.has_play() {
             0.0
         } else {
             let middle = vec![Vec2::zero(); self.reaches.len()];

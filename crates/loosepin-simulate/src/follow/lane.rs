@@ -7,7 +7,7 @@ use super::plan::{DeviationRange, Findings, FollowedRun};
 use crate::ideal::curve::{IdealCurve, Piece};
 use crate::settings::Window;
 use loosepin_math::Quintic;
-use loosepin_result::study::Deviation;
+use loosepin_result::study::{Deviation, Motion, Reference};
 use std::sync::Arc;
 
 /// References of one run, and its findings so far.
@@ -98,13 +98,17 @@ impl LaneFollow {
             curve.as_ref().map_or([f64::NAN; 6], |curve| curve.quintic(reading, piece).coefficients)
         };
         let FollowedRun { nominal, own, .. } = &self.run;
-        let coefficients = match of {
-            Deviation::Value => [0.0; 6],
-            Deviation::Total => of_curve(nominal),
-            Deviation::Clearance => of_curve(own),
-            Deviation::Dimensional => {
-                let (own, nominal) = (of_curve(own), of_curve(nominal));
-                std::array::from_fn(|k| own[k] - nominal[k])
+        let reference = match of.reference() {
+            Reference::Zero => [0.0; 6],
+            Reference::SameParts => of_curve(own),
+            Reference::NominalParts => of_curve(nominal),
+        };
+        let coefficients = match of.motion() {
+            Motion::WithPlay => reference,
+            // The curve is what the deviation is, not what it is compared with.
+            Motion::WithoutPlay => {
+                let own = of_curve(own);
+                std::array::from_fn(|k| own[k] - reference[k])
             }
         };
         Quintic { coefficients }

@@ -86,7 +86,7 @@ impl PathLayout {
 
     /// The deviation that is compared with the ideal motion whose path counts.
     fn ideal(&self) -> Deviation {
-        if self.path.deviation == Deviation::Clearance { Deviation::Clearance } else { Deviation::Total }
+        if self.path.deviation.is_by_play_alone() { self.path.deviation } else { Deviation::of_all_causes() }
     }
 
     /// Offset of the numbers of a part: largest, smallest, integral, integral of the square.

@@ -60,7 +60,7 @@ impl ExtremeRecorder {
             let column = &columns[series % columns.len()];
             Extreme {
                 name: column.name.clone(),
-                of: if series < columns.len() { Deviation::Value } else { Deviation::Total },
+                of: if series < columns.len() { Deviation::of_value() } else { Deviation::of_all_causes() },
                 unit: column.unit.clone(),
                 minimum: point(*minimum, -1.0),
                 maximum: point(*maximum, 1.0),

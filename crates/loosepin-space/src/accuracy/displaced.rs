@@ -4,9 +4,9 @@ use crate::accuracy::error::AccuracyError;
 use crate::accuracy::pose_accuracy::PoseAccuracy;
 use crate::closure::bordered::Bordered;
 use crate::closure::newton::{Closed, close, largest};
-use crate::geometry::pose::Pose;
 use crate::output::SpatialOutput;
 use crate::output::kind_of_output::{KindOfOutput, OutputState};
+use loosepin_math::Pose;
 
 /// Parts of a straight way to a displaced position, where one step does not reach it.
 const PARTS: usize = 8;

@@ -1,6 +1,6 @@
 //! An extreme deviation, and how it is searched.
 
-use crate::geometry::pose::Pose;
+use loosepin_math::Pose;
 
 /// How a worst case is searched.
 #[derive(Debug, Clone, PartialEq)]

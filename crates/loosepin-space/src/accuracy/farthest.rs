@@ -4,7 +4,7 @@ use crate::accuracy::error::AccuracyError;
 use crate::accuracy::gains::Gains;
 use crate::accuracy::pose_accuracy::PoseAccuracy;
 use crate::accuracy::vector_reach::VectorReach;
-use crate::geometry::vector::Vec3;
+use loosepin_math::Vec3;
 
 impl PoseAccuracy<'_> {
     /// For each direction n the displacement d, to first order, that goes farthest along it: n·d is the worst case of the component along n. The

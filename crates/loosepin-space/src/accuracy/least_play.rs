@@ -8,7 +8,7 @@ use crate::accuracy::multiple::{MAX_MULTIPLE, Multiple, largest_multiple};
 use crate::accuracy::pose_accuracy::{PoseAccuracy, redundant};
 use crate::closure::newton::{Closed, largest as largest_entry};
 use crate::closure::step::CLOSED;
-use crate::geometry::pose::Pose;
+use loosepin_math::Pose;
 
 /// Most linearisations; five are usual.
 const MAX_STEPS: usize = 40;

@@ -6,7 +6,7 @@ use crate::accuracy::play_set::PlaySet;
 use crate::accuracy::pose_accuracy::{PoseAccuracy, redundant};
 use crate::closure::bordered::Bordered;
 use crate::closure::newton::{Closed, largest as largest_entry};
-use crate::geometry::pose::Pose;
+use loosepin_math::Pose;
 
 /// What redundant rows may be apart beyond what they are in the ideal position, lengths over the characteristic length and rad.
 const MET: f64 = 1e-13;

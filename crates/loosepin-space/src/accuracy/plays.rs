@@ -2,10 +2,10 @@
 
 use crate::accuracy::play_set::PlaySet;
 use crate::closure::loops::Loops;
-use crate::geometry::vector::Vec3;
 use crate::kind::frames::{JointFrames, MarkerShift};
 use crate::play::kind_of_play::KindOfPlay;
 use core::ops::Range;
+use loosepin_math::Vec3;
 
 /// A joint with play: its rows and its variables.
 #[derive(Debug, Clone)]

@@ -5,8 +5,7 @@ use crate::accuracy::linear::vectors::dot;
 use crate::accuracy::multiple::largest_multiple;
 use crate::accuracy::pose_accuracy::PoseAccuracy;
 use crate::accuracy::scatter::MarkerSide;
-use crate::geometry::rotation::Rotation;
-use crate::geometry::vector::Vec3;
+use loosepin_math::{Rotation, Vec3};
 
 /// A marker that is not where it should be on its body.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -2,8 +2,7 @@
 
 use crate::accuracy::gains::Gains;
 use crate::accuracy::pose_accuracy::PoseAccuracy;
-use crate::geometry::rotation::Rotation;
-use crate::geometry::vector::Vec3;
+use loosepin_math::{Rotation, Vec3};
 
 /// Gains by the place and the turning of a marker on its body, along its own axes.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]

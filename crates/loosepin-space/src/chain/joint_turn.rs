@@ -1,8 +1,7 @@
 //! The journal's marker in the bearing's.
 
-use crate::geometry::rotation::Rotation;
-use crate::geometry::vector::Vec3;
 use crate::kind::frames::MarkerShift;
+use loosepin_math::{Frame, Rotation, Vec3};
 
 /// Angle and slide of a joint, with the sine and cosine of the angle.
 #[derive(Debug, Clone, Copy)]
@@ -16,29 +15,6 @@ pub(crate) struct JointPlace {
 #[derive(Debug, Clone)]
 pub struct ChainPose {
     pub(crate) places: Vec<JointPlace>,
-}
-
-/// A marker on another.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Transform {
-    pub axes: Rotation,
-    pub origin_m: Vec3,
-}
-
-impl Transform {
-    /// First `other`, then this one.
-    #[inline(always)]
-    pub(crate) fn compose(&self, other: &Self) -> Self {
-        Self { axes: self.axes.compose(&other.axes), origin_m: self.origin_m + self.axes.apply(other.origin_m) }
-    }
-
-    /// The way back.
-    #[inline(always)]
-    pub(crate) fn inverse(&self) -> Self {
-        let Rotation { x, y, z } = self.axes;
-        let axes = Rotation { x: Vec3::new(x.x, y.x, z.x), y: Vec3::new(x.y, y.y, z.y), z: Vec3::new(x.z, y.z, z.z) };
-        Self { origin_m: -axes.apply(self.origin_m), axes }
-    }
 }
 
 /// What of play does not change with the angle.
@@ -62,11 +38,11 @@ impl Lean {
     /// The journal's marker at an angle φ and a slide s: z along (w, 1); x across it with atan2(y_i·x_j, x_i·x_j) = φ, so along
     /// (cos φ, sin φ, -(w1 cos φ + w2 sin φ)); the origin at e + s (w, 1).
     #[inline(always)]
-    pub(crate) fn journal(&self, place: &JointPlace) -> Transform {
+    pub(crate) fn journal(&self, place: &JointPlace) -> Frame {
         let [w1, w2] = self.slope;
         let rise = -(w1 * place.cosine + w2 * place.sine);
         let x = Vec3::new(place.cosine, place.sine, rise) * (1.0 / (1.0 + rise * rise).sqrt());
         let origin_m = self.shift_m + Vec3::new(w1, w2, 1.0) * place.slide_m;
-        Transform { axes: Rotation { x, y: self.axis.cross(x), z: self.axis }, origin_m }
+        Frame { axes: Rotation { x, y: self.axis.cross(x), z: self.axis }, origin_m }
     }
 }

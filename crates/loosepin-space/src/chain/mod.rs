@@ -3,10 +3,9 @@
 mod error;
 mod joint_turn;
 mod open_chain;
-mod path;
 mod sample;
 
 pub use error::ChainError;
 pub use joint_turn::ChainPose;
 pub use open_chain::OpenChain;
-pub use sample::{ChainSample, EndPose};
+pub use sample::ChainSample;

@@ -3,9 +3,9 @@
 use crate::accuracy::PlaySet;
 use crate::chain::error::ChainError;
 use crate::chain::joint_turn::{ChainPose, JointPlace};
-use crate::chain::path::{PathJoint, path_to};
 use crate::chain::sample::ChainSample;
 use crate::kind::kind_of_joint::KindOfJoint;
+use crate::mechanism::body_tree::{BodyTree, TreeJoint};
 use crate::mechanism::drive::JointCoordinate;
 use crate::mechanism::marker::Marker;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
@@ -25,7 +25,7 @@ struct Held {
 #[derive(Debug, Clone)]
 pub struct OpenChain<'a> {
     mechanism: &'a SpatialMechanism,
-    path: Vec<PathJoint>,
+    path: Vec<TreeJoint>,
     held: Vec<Held>,
     set: PlaySet,
 }
@@ -63,6 +63,19 @@ impl<'a> OpenChain<'a> {
     pub fn sample(&self, variables_m: &[f64], markers: Option<&[[Marker; 2]]>) -> ChainSample {
         ChainSample::new(self.mechanism, &self.path, &self.set.shifts(self.mechanism, variables_m), markers)
     }
+}
+
+/// The joints from the ground to `body`, if there is one way only.
+fn path_to(mechanism: &SpatialMechanism, body: usize) -> Result<Vec<TreeJoint>, ChainError> {
+    if body == 0 || body >= mechanism.bodies().len() {
+        return Err(ChainError::NoBody { body });
+    }
+    let tree = BodyTree::of_short_branches(mechanism);
+    let path = tree.branch(body);
+    if path.is_empty() || path.iter().any(|joint| tree.is_in_loop(mechanism, joint)) {
+        return Err(ChainError::NotAChain { body: mechanism.bodies()[body].name.clone() });
+    }
+    Ok(path)
 }
 
 /// Where the coordinates of a joint come from.

@@ -1,34 +1,16 @@
 //! One chain of a series.
 
-use crate::chain::joint_turn::{ChainPose, Lean, Transform};
-use crate::chain::path::PathJoint;
-use crate::geometry::rotation::Rotation;
-use crate::geometry::vector::Vec3;
+use crate::chain::joint_turn::{ChainPose, Lean};
 use crate::kind::frames::MarkerShift;
+use crate::mechanism::body_tree::TreeJoint;
 use crate::mechanism::marker::Marker;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
-
-/// Pose of the body at the end of a chain.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct EndPose {
-    /// The axes of the body in ground axes.
-    pub axes: Rotation,
-    /// The origin of the body's frame, m.
-    pub origin_m: Vec3,
-}
-
-impl EndPose {
-    /// A point of the body in the ground's frame, m.
-    #[inline(always)]
-    pub fn point_m(&self, point_m: Vec3) -> Vec3 {
-        self.origin_m + self.axes.apply(point_m)
-    }
-}
+use loosepin_math::Frame;
 
 /// A joint of the chain: its bearing's marker seen from the journal's marker before, and its play.
 #[derive(Debug, Clone, Copy)]
 struct Link {
-    before: Transform,
+    before: Frame,
     lean: Lean,
     is_reversed: bool,
 }
@@ -38,18 +20,18 @@ struct Link {
 pub struct ChainSample {
     links: Vec<Link>,
     /// From the last journal's marker to the body.
-    after: Transform,
+    after: Frame,
 }
 
 impl ChainSample {
     /// The chain along `path`, with what play does to each joint of the mechanism, and its markers where they are not the mechanism's own.
     pub(crate) fn new(
         mechanism: &SpatialMechanism,
-        path: &[PathJoint],
+        path: &[TreeJoint],
         shifts: &[MarkerShift],
         markers: Option<&[[Marker; 2]]>,
     ) -> Self {
-        let mut before = Transform { axes: Rotation::IDENTITY, origin_m: Vec3::ZERO };
+        let mut before = Frame::IDENTITY;
         let mut links = Vec::with_capacity(path.len());
         for joint in path {
             let own = &mechanism.joints()[joint.joint];
@@ -65,18 +47,17 @@ impl ChainSample {
 
     /// The body's pose, exactly. About 130 multiplications and additions, a root and a division a joint.
     #[inline]
-    pub fn end(&self, pose: &ChainPose) -> EndPose {
-        let mut at = Transform { axes: Rotation::IDENTITY, origin_m: Vec3::ZERO };
+    pub fn end(&self, pose: &ChainPose) -> Frame {
+        let mut at = Frame::IDENTITY;
         for (link, place) in self.links.iter().zip(&pose.places) {
             let turned = link.lean.journal(place);
             let turned = if link.is_reversed { turned.inverse() } else { turned };
             at = at.compose(&link.before).compose(&turned);
         }
-        let Transform { axes, origin_m } = at.compose(&self.after);
-        EndPose { axes, origin_m }
+        at.compose(&self.after)
     }
 }
 
-fn placed(marker: &Marker) -> Transform {
-    Transform { axes: marker.axes, origin_m: marker.point_m }
+fn placed(marker: &Marker) -> Frame {
+    Frame { axes: marker.axes, origin_m: marker.point_m }
 }

@@ -6,11 +6,11 @@ use crate::closure::loops::Loops;
 use crate::closure::newton::largest;
 use crate::closure::singular::{RANK_THRESHOLD, singular_values};
 use crate::closure::step::CLOSED;
-use crate::geometry::pose::Pose;
 use crate::kind::frames::JointFrames;
 use crate::kind::kind_of_joint::KindOfJoint;
 use crate::kind::row::is_reversed;
 use crate::stop::IsStopped;
+use loosepin_math::Pose;
 
 /// Most steps from the start poses.
 const MAX_STEPS: usize = 60;

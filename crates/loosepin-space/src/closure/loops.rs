@@ -1,12 +1,11 @@
 //! The equations that hold a mechanism together.
 
-use crate::geometry::pose::{Frame, Pose};
-use crate::geometry::vector::Vec3;
 use crate::kind::frames::{JointFrames, MarkerShift};
 use crate::kind::kind_of_joint::KindOfJoint;
 use crate::kind::row::{RowColumns, ScalarRow};
 use crate::mechanism::drive::JointCoordinate;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
+use loosepin_math::{Frame, Pose, Vec3};
 
 /// A row of the equations, with its joint and, where it is that of a drive, its drive.
 #[derive(Debug, Clone, Copy)]

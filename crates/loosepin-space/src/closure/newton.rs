@@ -2,8 +2,8 @@
 
 use crate::closure::bordered::{Bordered, Borders};
 use crate::closure::loops::Loops;
-use crate::geometry::pose::Pose;
 use crate::kind::frames::{JointFrames, MarkerShift};
+use loosepin_math::Pose;
 
 /// Most steps; four are usual, with an old system seven.
 const MAX_STEPS: usize = 40;

@@ -4,10 +4,9 @@ use crate::closure::error::ClosureError;
 use crate::closure::from_afar::{close_from_afar, close_within, reversed};
 use crate::closure::loops::Loops;
 use crate::closure::singular::{RANK_THRESHOLD, singular_values};
-use crate::geometry::pose::Pose;
-use crate::geometry::vector::Vec3;
 use crate::random::random;
 use crate::stop::IsStopped;
+use loosepin_math::{Pose, Vec3};
 
 /// How far bodies are turned, rad, and moved, over the characteristic length, in each round: at most so far along each axis.
 const ROUNDS: [f64; 4] = [0.3, 0.8, 1.6, 3.0];

@@ -3,8 +3,8 @@
 use crate::closure::bordered::Borders;
 use crate::closure::loops::Loops;
 use crate::closure::step::Place;
-use crate::geometry::pose::Pose;
 use crate::mechanism::drive::DriveValue;
+use loosepin_math::Pose;
 
 /// A closed position of the ideal mechanism, with what the loop equations are there.
 #[derive(Debug, Clone)]

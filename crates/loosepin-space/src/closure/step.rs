@@ -5,10 +5,10 @@ use crate::closure::error::{ClosureError, DrivePlace};
 use crate::closure::loops::{Loops, PlacedRow};
 use crate::closure::newton::{close, largest};
 use crate::closure::singular::{RANK_THRESHOLD, ratio, singular_values};
-use crate::geometry::pose::Pose;
 use crate::kind::frames::within_half_a_turn;
 use crate::mechanism::drive::JointCoordinate;
 use crate::stop::IsStopped;
+use loosepin_math::Pose;
 
 /// Longest prediction, lengths over L and rad.
 const LONGEST_PREDICTION: f64 = 0.3;

@@ -3,13 +3,10 @@
 use crate::enclosure::jet::{Jet, Number};
 use crate::enclosure::shift::EnclosedShift;
 use crate::enclosure::step::Step;
-use crate::enclosure::vector::{
-    FixedAxes, FixedVector, JetVector, constant, dot, exact, minus, plus, scaled, turned, turned_axes,
-};
+use crate::enclosure::vector::{JetVector, constant, dot, exact, minus, plus, scaled};
 use crate::kind::frames::Axis;
 use crate::mechanism::joint::Joint;
-use crate::mechanism::marker::Marker;
-use core::array::from_fn;
+use loosepin_math::{Interval, Rotation, Vec3};
 
 /// As [`crate::kind::frames::JointFrames`], seen from the body from which the branches of both bodies come.
 pub(crate) struct EnclosedJoint<T> {
@@ -25,15 +22,19 @@ pub(crate) struct EnclosedJoint<T> {
 
 /// A pose that does not move, known to round-off.
 pub(crate) struct FixedPose {
-    pub origin: FixedVector,
-    pub axes: FixedAxes,
+    pub origin: Vec3<Interval>,
+    pub axes: Rotation<Interval>,
 }
 
 impl FixedPose {
     /// A point of the body.
-    pub(crate) fn point(&self, marker: &Marker) -> FixedVector {
-        let arm = turned(&self.axes, exact(marker.point_m));
-        from_fn(|k| self.origin[k] + arm[k])
+    pub(crate) fn point(&self, point_m: Vec3) -> Vec3<Interval> {
+        self.origin + self.turned(point_m)
+    }
+
+    /// A direction of the body.
+    pub(crate) fn turned(&self, direction: Vec3) -> Vec3<Interval> {
+        self.axes.apply(exact(direction))
     }
 }
 
@@ -45,13 +46,16 @@ impl<T: Number> EnclosedJoint<T> {
         shift: &EnclosedShift<T>,
     ) -> Self {
         let markers = [&joint.bearing, &joint.journal];
-        let fixed = [0, 1].map(|k: usize| turned_axes(&poses[k].axes, &markers[k].axes).map(|axis| constant(&axis)));
+        let fixed = [0, 1].map(|k: usize| {
+            let Rotation { x, y, z } = markers[k].axes;
+            [x, y, z].map(|axis| constant(poses[k].turned(axis)))
+        });
         let moved = |k: usize| {
             fixed[k].each_ref().map(|axis| steps[k].iter().rev().fold(axis.clone(), |axis, step| step.axis(&axis)))
         };
         let (bearing, journal) = (moved(0), moved(1));
         let points = [0, 1].map(|k: usize| {
-            let mut point = constant(&poses[k].point(markers[k]));
+            let mut point = constant(poses[k].point(markers[k].point_m));
             if k == 0 {
                 for (axis, shift) in fixed[0].iter().zip(&shift.shift_m) {
                     point = plus(point, &scaled(axis, shift));

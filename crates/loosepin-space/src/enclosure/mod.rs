@@ -17,5 +17,4 @@ pub(crate) mod position_box;
 mod row;
 mod shift;
 pub(crate) mod step;
-mod tree;
 pub(crate) mod vector;

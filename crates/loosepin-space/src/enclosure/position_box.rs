@@ -6,10 +6,9 @@ use crate::enclosure::joint::{EnclosedJoint, FixedPose};
 use crate::enclosure::row::residual;
 use crate::enclosure::shift::{EnclosedShift, radii_m};
 use crate::enclosure::step::{STEP_NUMBERS, Step};
-use crate::enclosure::tree::BodyTree;
-use crate::enclosure::vector::{FixedVector, axes_of, exact};
-use crate::geometry::pose::Pose;
-use loosepin_math::{Interval, Real};
+use crate::enclosure::vector::{axes_of, exact};
+use crate::mechanism::body_tree::{BodyTree, TreeJoint};
+use loosepin_math::{Interval, Pose, Real, Vec3};
 
 /// The position that boxes are about.
 pub(crate) struct BoxCentre<'a> {
@@ -18,7 +17,7 @@ pub(crate) struct BoxCentre<'a> {
     poses: Vec<FixedPose>,
     pub tree: BodyTree,
     /// The centre of each body's step: any point will do, and that of its joint is best.
-    centres: Vec<FixedVector>,
+    centres: Vec<Vec3<Interval>>,
     /// First number of the play of each joint, behind those of the steps.
     plays: Vec<usize>,
 }
@@ -43,11 +42,14 @@ impl<'a> BoxCentre<'a> {
     pub(crate) fn new(loops: &'a Loops<'a>, poses: &[Pose], drives: Vec<f64>) -> Option<Self> {
         let fixed = |pose: &Pose| FixedPose { origin: exact(pose.position_m), axes: axes_of(&pose.orientation) };
         let poses: Vec<FixedPose> = poses.iter().map(fixed).collect();
-        let tree = BodyTree::new(loops.mechanism)?;
+        let tree = BodyTree::of_short_branches(loops.mechanism);
+        if tree.unconnected().is_some() {
+            return None;
+        }
         let centre = |body: usize| {
-            let Some(joint) = tree.joint(body) else { return [Interval::ZERO; 3] };
-            let marker = &loops.mechanism.joints()[joint].bearing;
-            poses[marker.body].point(marker).map(|place| Interval::from_f64(place.middle()))
+            let Some(own) = tree.joint_of(body) else { return exact(Vec3::ZERO) };
+            let marker = &loops.mechanism.joints()[own.joint].bearing;
+            poses[marker.body].point(marker.point_m).map(|place| Interval::from_f64(place.middle()))
         };
         let centres = (0..poses.len()).map(centre).collect();
         let mut next = loops.unknowns();
@@ -67,17 +69,21 @@ impl<'a> BoxCentre<'a> {
 
 impl PositionBox<'_> {
     /// The numbers of the steps of some bodies.
-    fn places(bodies: &[usize]) -> Vec<usize> {
-        bodies.iter().filter_map(|body| first_column(*body)).flat_map(|first| first..first + STEP_NUMBERS).collect()
+    fn places(branch: &[TreeJoint]) -> Vec<usize> {
+        branch
+            .iter()
+            .filter_map(|joint| first_column(joint.child))
+            .flat_map(|first| first..first + STEP_NUMBERS)
+            .collect()
     }
 
-    fn steps<T: Number>(&self, bodies: &[usize], first: usize, variables: Variables) -> Vec<Step<T>> {
-        let places = bodies.iter().enumerate();
+    fn steps<T: Number>(&self, branch: &[TreeJoint], first: usize, variables: Variables) -> Vec<Step<T>> {
+        let places = branch.iter().enumerate();
         places
-            .filter_map(|(k, body)| {
-                let column = first_column(*body)?;
+            .filter_map(|(k, joint)| {
+                let column = first_column(joint.child)?;
                 let own = &self.numbers[column..column + STEP_NUMBERS];
-                let centre = self.centre.centres[*body];
+                let centre = self.centre.centres[joint.child];
                 Some(Step::new(centre, own, first + STEP_NUMBERS * k, variables, self.centre.loops.length_m))
             })
             .collect()
@@ -85,13 +91,13 @@ impl PositionBox<'_> {
 
     /// The steps from the ground to a body, and the numbers that they are by.
     pub(crate) fn branch<T: Number>(&self, body: usize) -> (Vec<usize>, Vec<Step<T>>) {
-        let bodies = self.centre.tree.branch(body);
+        let branch = self.centre.tree.branch(body);
         let variables = Variables {
-            count: STEP_NUMBERS * bodies.len(),
+            count: STEP_NUMBERS * branch.len(),
             is_second_order: self.is_second_order,
             direction: self.direction,
         };
-        (Self::places(&bodies), self.steps(&bodies, 0, variables))
+        (Self::places(&branch), self.steps(&branch, 0, variables))
     }
 
     /// A joint, and the numbers that it depends on; without its play where that `is_ideal`.
@@ -144,8 +150,6 @@ impl PositionBox<'_> {
 mod tests {
     use super::*;
     use crate::accuracy::play_set::PlaySet;
-    use crate::geometry::quaternion::Quaternion;
-    use crate::geometry::vector::Vec3;
     use crate::kind::row::ScalarRow;
     use crate::kind::{Cylindrical, Revolute, Screw};
     use crate::mechanism::body::Body;
@@ -154,6 +158,7 @@ mod tests {
     use crate::mechanism::marker::Marker;
     use crate::mechanism::spatial_mechanism::SpatialMechanism;
     use crate::play::{CylindricalPlay, RevolutePlay};
+    use loosepin_math::Quaternion;
 
     /// So long that the nut is on the branch of its turn.
     const PITCH_M: f64 = 4.0;

@@ -1,16 +1,16 @@
 //! The motion of a body seen from the body that its branch of the tree comes from.
 
 use crate::enclosure::jet::{Jet, Number, Variables};
-use crate::enclosure::vector::{FixedVector, JetVector, constant, dot, minus, plus};
+use crate::enclosure::vector::{JetVector, constant, dot, minus, plus};
 use core::array::from_fn;
-use loosepin_math::{Interval, Real};
+use loosepin_math::{Interval, Real, Vec3};
 
 /// Numbers of a step.
 pub(crate) const STEP_NUMBERS: usize = 6;
 
 /// P ↦ c + L ξ + E(t)(P - c), about a centre c.
 pub(crate) struct Step<T> {
-    centre: FixedVector,
+    centre: Vec3<Interval>,
     displacement: JetVector<T>,
     /// E, row by row.
     turn: [JetVector<T>; 3],
@@ -19,7 +19,7 @@ pub(crate) struct Step<T> {
 impl<T: Number> Step<T> {
     /// By (ξ, t) in these ranges, whose derivatives begin at `first`.
     pub(crate) fn new(
-        centre: FixedVector,
+        centre: Vec3<Interval>,
         numbers: &[Interval],
         first: usize,
         variables: Variables,
@@ -55,7 +55,7 @@ impl<T: Number> Step<T> {
 
     /// A point, moved.
     pub(crate) fn point(&self, point: JetVector<T>) -> JetVector<T> {
-        let centre = constant(&self.centre);
+        let centre = constant(self.centre);
         let arm = minus(point, &centre);
         plus(plus(self.axis(&arm), &self.displacement), &centre)
     }
@@ -74,8 +74,7 @@ fn root<T: Number>(a: &Jet<T>) -> Jet<T> {
 mod tests {
     use super::*;
     use crate::enclosure::vector::exact;
-    use crate::geometry::quaternion::Quaternion;
-    use crate::geometry::vector::Vec3;
+    use loosepin_math::Quaternion;
 
     #[test]
     fn identity_a_step_turns_as_its_quaternion_does() {
@@ -88,13 +87,13 @@ mod tests {
         let half = t * 0.5;
         let turn = Quaternion::new((1.0 - half.dot(half)).sqrt(), half.x, half.y, half.z).rotation();
         let expected = centre + displacement * length_m + turn.apply(point - centre);
-        let found = step.point(constant(&exact(point)));
+        let found = step.point(constant(exact(point)));
         for (found, expected) in found.iter().zip(expected.to_array()) {
             assert!((found.value.middle() - expected).abs() < 1e-15 && found.value.magnitude() < 2.0);
         }
         // To first order a displacement is L ξ, a turn about the centre t × (P - c).
         let at_rest = Step::<Interval>::new(exact(centre), &[Interval::ZERO; STEP_NUMBERS], 0, variables, length_m);
-        let found = at_rest.point(constant(&exact(point)));
+        let found = at_rest.point(constant(exact(point)));
         for (k, axis) in Vec3::AXES.into_iter().enumerate() {
             let turned = axis.cross(point - centre).to_array();
             for row in 0..3 {

@@ -1,8 +1,6 @@
 //! The two markers of a joint in ground axes.
 
-use crate::geometry::pose::Frame;
-use crate::geometry::rotation::Rotation;
-use crate::geometry::vector::Vec3;
+use loosepin_math::{Frame, Rotation, Vec3};
 
 /// An axis of a marker.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -12,8 +12,8 @@
 //! | driven angle | φ - f, φ = atan2(y_i·x_j, x_i·x_j) | (0, -z_i \| 0, z_i) | f̈ - (ω_i×z_i)·(ω_j - ω_i) |
 //! | driven slide | z_i·d - f | across of z_i | that of across + f̈ |
 
-use crate::geometry::vector::Vec3;
 use crate::kind::frames::{Axis, JointFrames, within_half_a_turn};
+use loosepin_math::Vec3;
 
 /// A condition on two markers.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -177,9 +177,8 @@ fn across_columns(at: &JointFrames, a: Vec3) -> RowColumns {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::pose::{Frame, Pose};
-    use crate::geometry::quaternion::Quaternion;
     use crate::kind::frames::MarkerShift;
+    use loosepin_math::{Frame, Pose, Quaternion};
 
     fn turned(x: f64, y: f64, z: f64) -> Quaternion {
         Quaternion::from_rotation_vector(Vec3::new(x, y, z))

@@ -1,6 +1,6 @@
 //! A rigid body.
 
-use crate::geometry::pose::Pose;
+use loosepin_math::Pose;
 
 /// A rigid body with the pose in which it is assembled, which may be rough for bodies that move.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,8 +1,6 @@
 //! A point and three axes on a body.
 
-use crate::geometry::pose::Pose;
-use crate::geometry::rotation::Rotation;
-use crate::geometry::vector::Vec3;
+use loosepin_math::{Pose, Rotation, Vec3};
 
 /// A point with orthonormal axes, fixed to a body.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,7 +1,5 @@
 //! A mechanism, checked.
 
-use crate::geometry::pose::Pose;
-use crate::geometry::vector::Vec3;
 use crate::kind::kind_of_joint::KindOfJoint;
 use crate::mechanism::body::Body;
 use crate::mechanism::drive::{Drive, JointCoordinate};
@@ -9,6 +7,7 @@ use crate::mechanism::error::MechanismError;
 use crate::mechanism::joint::Joint;
 use crate::mechanism::marker::Marker;
 use crate::play::kind_of_play::KindOfPlay;
+use loosepin_math::{Pose, Vec3};
 
 /// Largest departure of axes and quaternions from unit length and right angles.
 const UNIT_TOLERANCE: f64 = 1e-9;

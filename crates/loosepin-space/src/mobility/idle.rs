@@ -2,10 +2,8 @@
 
 use crate::closure::loops::{Loops, first_column};
 use crate::closure::singular::RANK_THRESHOLD;
-use crate::geometry::pose::Pose;
-use crate::geometry::vector::Vec3;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
-use loosepin_math::SingularValues;
+use loosepin_math::{Pose, SingularValues, Vec3};
 
 /// How a part moves alone.
 #[derive(Debug, Clone, Copy, PartialEq)]

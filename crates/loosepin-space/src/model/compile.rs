@@ -7,9 +7,6 @@ use super::parts::{
 };
 use super::placing::placed;
 use super::problem::SpatialModelError;
-use crate::geometry::pose::Pose;
-use crate::geometry::quaternion::Quaternion;
-use crate::geometry::vector::Vec3;
 use crate::mechanism::body::Body;
 use crate::mechanism::drive::{Drive, DriveValue};
 use crate::mechanism::joint::Joint;
@@ -17,6 +14,7 @@ use crate::mechanism::marker::Marker;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::output::{PointOutput, RotationOutput, SpatialOutput};
 use crate::play::{CylindricalPlay, RevolutePlay, SpatialPlay, SphericalPlay};
+use loosepin_math::{Pose, Quaternion, Vec3};
 use loosepin_text::diagnostics::{Diagnostic, Place, Source};
 use loosepin_text::numbers::Values;
 use std::sync::Arc;

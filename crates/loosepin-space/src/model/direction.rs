@@ -1,6 +1,6 @@
 //! Directions in the frame of a body.
 
-use crate::geometry::vector::Vec3;
+use loosepin_math::Vec3;
 use loosepin_text::numbers::{QuantityId, Values};
 
 /// A direction in the frame of a body; its length does not matter.

@@ -1,10 +1,9 @@
 //! The picture of a model.
 
 use super::parts::{ModelOutputKind, SpatialModel};
-use crate::geometry::pose::Pose;
-use crate::geometry::vector::Vec3;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::picture::{PictureSource, TracedPoint};
+use loosepin_math::{Pose, Vec3};
 use loosepin_result::spatial_picture::{PictureTrace, PictureZone, SpatialPicture};
 use loosepin_text::numbers::Values;
 

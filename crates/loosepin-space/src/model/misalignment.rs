@@ -10,9 +10,8 @@
 use super::body::LENGTHS;
 use super::parts::ModelMisalignment;
 use super::reader::SpaceReader;
-use crate::geometry::quaternion::Quaternion;
-use crate::geometry::vector::Vec3;
 use crate::mechanism::marker::Marker;
+use loosepin_math::{Quaternion, Vec3};
 use loosepin_text::document::{Entry, Kind, quantity};
 use loosepin_text::numbers::{ReadsNumbers, Values};
 use loosepin_text::record;

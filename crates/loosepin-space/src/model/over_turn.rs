@@ -10,8 +10,6 @@ use crate::closure::assembly::Starts;
 use crate::closure::cycle::{Cycle, cycle_from};
 use crate::closure::error::ClosureError;
 use crate::closure::position::Position;
-use crate::geometry::pose::Pose;
-use crate::geometry::vector::Vec3;
 use crate::mechanism::joint::Joint;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::output::SpatialOutput;
@@ -20,6 +18,7 @@ use crate::picture::Zones;
 use crate::play::block::PlayPart;
 use crate::play::kind_of_play::KindOfPlay;
 use crate::stop::{IsStopped, NEVER};
+use loosepin_math::{Pose, Vec3};
 use loosepin_result::repeat::{InputRole, Repeat};
 use loosepin_result::spatial_motion::{
     SpatialContributor, SpatialMotionRecord, SpatialOutputRecord, SpatialScatter, SpatialWorstCase,

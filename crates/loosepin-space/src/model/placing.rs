@@ -1,9 +1,5 @@
 //! Where bodies start that the file gives no guess of: on a tree of joints from the ground, as the drives have them at time zero.
 
-use crate::geometry::pose::Pose;
-use crate::geometry::quaternion::Quaternion;
-use crate::geometry::rotation::Rotation;
-use crate::geometry::vector::Vec3;
 use crate::kind::frames::Axis;
 use crate::kind::kind_of_joint::KindOfJoint;
 use crate::kind::row::Row;
@@ -11,7 +7,7 @@ use crate::mechanism::drive::JointCoordinate;
 use crate::mechanism::joint::Joint;
 use crate::mechanism::marker::Marker;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
-use loosepin_math::sin_cos;
+use loosepin_math::{Pose, Quaternion, Rotation, Vec3, sin_cos};
 use std::f64::consts::TAU;
 
 /// Poses of all bodies: those of `guesses`, and else the pose in which a joint to a body that is placed already is closed.

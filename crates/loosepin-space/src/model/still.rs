@@ -4,9 +4,9 @@ use super::parts::SpatialModel;
 use crate::closure::assembly::Starts;
 use crate::closure::cycle::Cycle;
 use crate::closure::error::ClosureError;
-use crate::geometry::pose::Pose;
 use crate::mobility::mobility;
 use crate::stop::{IsStopped, stop_after};
+use loosepin_math::Pose;
 use loosepin_text::numbers::Values;
 
 /// Steps between positions of a turn that are looked at: a prime, so that hardly any body is turned by whole turns in each of them.

@@ -1,6 +1,6 @@
 //! Directions of a path in space.
 
-use crate::geometry::vector::Vec3;
+use loosepin_math::Vec3;
 
 /// The unit vectors of a path: along it, towards its centre of curvature, and across both.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -3,11 +3,10 @@
 use crate::closure::bordered::Bordered;
 use crate::closure::loops::Loops;
 use crate::closure::position::Position;
-use crate::geometry::pose::Pose;
-use crate::geometry::vector::Vec3;
 use crate::kind::row::JointRates;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::mobility::idle::{IdleKind, IdleMotion, idle_motions};
+use loosepin_math::{Pose, Vec3};
 
 /// Rates of a body, in ground axes.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]

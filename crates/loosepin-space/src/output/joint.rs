@@ -3,12 +3,11 @@
 use crate::enclosure::enclosed_output::EnclosedOutput;
 use crate::enclosure::jet::{Jet, Number};
 use crate::enclosure::position_box::{PlacedJet, PositionBox};
-use crate::geometry::pose::Frame;
 use crate::kind::frames::{JointFrames, MarkerShift, within_half_a_turn};
 use crate::mechanism::drive::JointCoordinate;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::output::kind_of_output::{BodyGradient, KindOfOutput, OutputState};
-use loosepin_math::{Interval, Real};
+use loosepin_math::{Frame, Interval, Real};
 
 /// Deviation of φ = atan2(y_i·x_j, x_i·x_j), rad, or of z_i·(P_j - P_i), m, between the two markers of a joint, whatever its kind.
 #[derive(Debug, Clone, Copy, PartialEq)]

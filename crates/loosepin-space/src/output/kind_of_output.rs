@@ -1,8 +1,7 @@
 //! What every kind of output says of itself.
 
-use crate::geometry::pose::Pose;
-use crate::geometry::vector::Vec3;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
+use loosepin_math::{Pose, Vec3};
 
 /// The poses that an output is read off.
 #[derive(Debug, Clone, Copy)]

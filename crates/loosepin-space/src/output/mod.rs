@@ -10,9 +10,9 @@ mod rotation_sine;
 use crate::enclosure::enclosed_output::EnclosedOutput;
 use crate::enclosure::jet::Number;
 use crate::enclosure::position_box::{PlacedJet, PositionBox};
-use crate::geometry::vector::Vec3;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use kind_of_output::{BodyGradient, KindOfOutput, OutputState};
+use loosepin_math::Vec3;
 
 pub use joint::JointOutput;
 pub use point::PointOutput;

@@ -3,10 +3,10 @@
 use crate::enclosure::enclosed_output::EnclosedOutput;
 use crate::enclosure::jet::Number;
 use crate::enclosure::position_box::{PlacedJet, PositionBox};
-use crate::enclosure::vector::{constant, dot, exact, minus, turned};
-use crate::geometry::vector::Vec3;
+use crate::enclosure::vector::{constant, dot, exact, minus};
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::output::kind_of_output::{BodyGradient, KindOfOutput, OutputState, is_unit};
+use loosepin_math::Vec3;
 
 /// n·(P - P_ideal): displacement of a point of a body along a direction of the ground, m. With n the tangent, the normal or the binormal of
 /// the ideal path it is the displacement along or across the path.
@@ -42,9 +42,8 @@ impl EnclosedOutput for PointOutput {
     fn enclosed<T: Number>(&self, at: &PositionBox) -> PlacedJet<T> {
         let (places, steps) = at.branch::<T>(self.body);
         let pose = at.centre.pose(self.body);
-        let arm = turned(&pose.axes, exact(self.point_m));
-        let ideal = constant(&core::array::from_fn(|k| pose.origin[k] + arm[k]));
+        let ideal = constant(pose.point(self.point_m));
         let moved = steps.iter().rev().fold(ideal.clone(), |point, step| step.point(point));
-        PlacedJet { places, jet: dot(&constant(&exact(self.direction)), &minus(moved, &ideal)) }
+        PlacedJet { places, jet: dot(&constant(exact(self.direction)), &minus(moved, &ideal)) }
     }
 }

@@ -3,10 +3,9 @@
 use crate::enclosure::jet::{Jet, Number};
 use crate::enclosure::position_box::PositionBox;
 use crate::enclosure::vector::JetVector;
-use crate::geometry::rotation::Rotation;
 use crate::output::kind_of_output::OutputState;
 use core::array::from_fn;
-use loosepin_math::{Interval, Real};
+use loosepin_math::{Interval, Real, Rotation};
 
 /// Axes of the ideal body, and R_idealᵀR.
 pub(crate) fn relative_turn(body: usize, ideal: &OutputState, actual: &OutputState) -> (Rotation, Rotation) {

@@ -3,12 +3,11 @@
 use crate::enclosure::enclosed_output::EnclosedOutput;
 use crate::enclosure::jet::Number;
 use crate::enclosure::position_box::{PlacedJet, PositionBox};
-use crate::enclosure::vector::{constant, dot, exact, turned};
-use crate::geometry::vector::Vec3;
+use crate::enclosure::vector::{constant, dot};
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::output::kind_of_output::{BodyGradient, KindOfOutput, OutputState, is_unit};
 use crate::output::relative_turn::{enclosed_sines, relative_turn};
-use loosepin_math::{Interval, Real};
+use loosepin_math::{Interval, Real, Vec3};
 
 /// u·θ, rad: θ is the rotation vector of R_idealᵀR, in the axes of the ideal body.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -44,7 +43,7 @@ impl EnclosedOutput for RotationOutput {
     fn enclosed<T: Number>(&self, at: &PositionBox) -> PlacedJet<T> {
         // θ = a asin(|a|)/|a| with the axial vector a, its length sin |θ|.
         let (places, sines) = enclosed_sines(at, self.body);
-        let axis = constant(&turned(&at.centre.pose(self.body).axes, exact(self.axis)));
+        let axis = constant(at.centre.pose(self.body).turned(self.axis));
         let square = dot(&sines, &sines);
         let jet = &dot(&axis, &sines) * &square.function(arcsine_over_sine(square.range().high()));
         PlacedJet { places, jet }

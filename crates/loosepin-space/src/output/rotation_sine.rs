@@ -3,11 +3,11 @@
 use crate::enclosure::enclosed_output::EnclosedOutput;
 use crate::enclosure::jet::Number;
 use crate::enclosure::position_box::{PlacedJet, PositionBox};
-use crate::enclosure::vector::{constant, dot, exact, turned};
-use crate::geometry::vector::Vec3;
+use crate::enclosure::vector::{constant, dot};
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::output::kind_of_output::{BodyGradient, KindOfOutput, OutputState, is_unit};
 use crate::output::relative_turn::{enclosed_sines, relative_turn};
+use loosepin_math::Vec3;
 
 /// u·a, a the axial vector of (R - Rᵀ)/2 for the turn R_idealᵀR: sin θ times its axis. To first order it is the rotation vector; it is what
 /// small-angle measurements of direction cosines give.
@@ -40,6 +40,6 @@ impl KindOfOutput for RotationSineOutput {
 impl EnclosedOutput for RotationSineOutput {
     fn enclosed<T: Number>(&self, at: &PositionBox) -> PlacedJet<T> {
         let (places, vector) = enclosed_sines(at, self.body);
-        PlacedJet { places, jet: dot(&constant(&turned(&at.centre.pose(self.body).axes, exact(self.axis))), &vector) }
+        PlacedJet { places, jet: dot(&constant(at.centre.pose(self.body).turned(self.axis)), &vector) }
     }
 }

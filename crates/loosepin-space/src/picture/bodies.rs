@@ -4,7 +4,7 @@ use super::hull::{Shape, shape};
 use super::shapes::{face, line};
 use super::sizes::Sizes;
 use super::source::PictureSource;
-use crate::geometry::vector::Vec3;
+use loosepin_math::Vec3;
 use loosepin_result::spatial_picture::{PictureElement, PictureRole, PictureShape};
 
 /// Points of a body that are closer than this share of the extent are one.

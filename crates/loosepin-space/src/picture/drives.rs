@@ -4,10 +4,9 @@ use super::joints::bearing_length_m;
 use super::shapes::{OfJoint, at};
 use super::sizes::Sizes;
 use super::source::PictureSource;
-use crate::geometry::vector::Vec3;
 use crate::mechanism::drive::{Drive, JointCoordinate};
 use crate::mechanism::marker::Marker;
-use loosepin_math::sin_cos;
+use loosepin_math::{Vec3, sin_cos};
 use loosepin_result::spatial_picture::{PictureElement, PictureRole};
 use std::f64::consts::TAU;
 

@@ -1,6 +1,6 @@
 //! What connects the points of a body: lines, and faces of their convex hull.
 
-use crate::geometry::vector::Vec3;
+use loosepin_math::Vec3;
 
 /// Most points of which the hull is made; a body with more is drawn as lines from point to point.
 const MAX_POINTS: usize = 40;
@@ -117,7 +117,7 @@ fn hull_faces(points: &[Vec3], same_m: f64) -> Vec<Vec<usize>> {
 #[cfg(test)]
 mod tests {
     use super::shape;
-    use crate::geometry::vector::Vec3;
+    use loosepin_math::Vec3;
 
     #[test]
     fn analytic_a_line_a_square_and_a_cube() {

@@ -3,11 +3,11 @@
 use super::shapes::{OfJoint, at};
 use super::sizes::Sizes;
 use super::source::PictureSource;
-use crate::geometry::vector::Vec3;
 use crate::kind::kind_of_joint::KindOfJoint;
 use crate::kind::sign::JointSign;
 use crate::mechanism::joint::Joint;
 use crate::play::kind_of_play::KindOfPlay;
+use loosepin_math::Vec3;
 use loosepin_result::spatial_picture::{PictureElement, PictureRole, PictureShape};
 
 /// A pin is longer than its bearing by this share at either end.

@@ -1,8 +1,8 @@
 //! Simple shapes at a marker.
 
-use crate::geometry::vector::Vec3;
 use crate::mechanism::joint::Joint;
 use crate::mechanism::marker::Marker;
+use loosepin_math::Vec3;
 use loosepin_result::spatial_picture::{PictureElement, PictureRole, PictureShape};
 
 /// What a joint is drawn of.

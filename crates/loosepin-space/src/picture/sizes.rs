@@ -1,7 +1,7 @@
 //! Sizes of what is drawn, as shares of the mechanism.
 
 use super::source::PictureSource;
-use crate::geometry::vector::Vec3;
+use loosepin_math::Vec3;
 
 /// Sizes over the diagonal of the box around all points in all positions.
 const RADIUS: f64 = 0.017;

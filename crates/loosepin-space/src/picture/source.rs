@@ -1,8 +1,7 @@
 //! What a picture is made of.
 
-use crate::geometry::pose::Pose;
-use crate::geometry::vector::Vec3;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
+use loosepin_math::{Pose, Vec3};
 
 /// A mechanism in the positions in which it is drawn.
 #[derive(Debug, Clone, Copy)]

@@ -1,9 +1,8 @@
 //! Points whose paths are drawn, and where play takes them.
 
 use crate::accuracy::PoseAccuracy;
-use crate::geometry::vector::Vec3;
 use crate::output::SpatialOutput;
-use loosepin_math::sin_cos;
+use loosepin_math::{Vec3, sin_cos};
 use loosepin_result::spatial_picture::PictureZone;
 use std::f64::consts::{PI, TAU};
 

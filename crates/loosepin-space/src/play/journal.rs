@@ -1,8 +1,8 @@
 //! The place of a journal's axis in a bearing of some length.
 
-use crate::geometry::vector::Vec3;
 use crate::kind::frames::MarkerShift;
 use crate::play::block::{Block, PlayPart};
+use loosepin_math::Vec3;
 
 /// Both end planes of a bearing, in which the journal's axis is anywhere with |u1| <= c and |u2| <= c, exactly:
 ///

@@ -1,10 +1,10 @@
 //! Play of a pin in its bearing.
 
-use crate::geometry::vector::Vec3;
 use crate::kind::frames::MarkerShift;
 use crate::play::block::{Block, PlayPart};
 use crate::play::journal::EndPlanes;
 use crate::play::kind_of_play::{KindOfPlay, clearance_mistake, length_mistake};
+use loosepin_math::Vec3;
 
 /// A journal longer than its bearing, between two stops. In axes of the bearing d = (e + α w, α) and the journal's axis is along (w, 1):
 ///

@@ -1,9 +1,9 @@
 //! Play of a ball in its socket.
 
-use crate::geometry::vector::Vec3;
 use crate::kind::frames::MarkerShift;
 use crate::play::block::{Block, PlayPart};
 use crate::play::kind_of_play::{KindOfPlay, clearance_mistake};
+use loosepin_math::Vec3;
 
 /// A ball with radial clearance c in its socket: its centre is anywhere with |e| <= c.
 #[derive(Debug, Clone, Copy, PartialEq)]

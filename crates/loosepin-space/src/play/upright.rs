@@ -1,9 +1,9 @@
 //! Play of a pin that does not lean.
 
-use crate::geometry::vector::Vec3;
 use crate::kind::frames::MarkerShift;
 use crate::play::block::{Block, PlayPart};
 use crate::play::kind_of_play::{KindOfPlay, clearance_mistake};
+use loosepin_math::Vec3;
 
 /// A journal whose axis stays parallel to the bearing's, between two stops: |e| <= c across, |α| <= c_a along. It is what a planar mechanism
 /// knows of play.

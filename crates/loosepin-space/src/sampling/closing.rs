@@ -11,10 +11,8 @@ use super::nominal::Base;
 use crate::closure::bordered::Bordered;
 use crate::closure::loops::Loops;
 use crate::closure::newton::{Closed, largest};
-use crate::geometry::pose::{Frame, Pose};
-use crate::geometry::quaternion::Quaternion;
-use crate::geometry::vector::Vec3;
 use crate::kind::frames::JointFrames;
+use loosepin_math::{Frame, Pose, Quaternion, Vec3};
 
 /// What Newton's method may move from a position close by, lengths over the characteristic length and rad: more is a hint at another branch.
 pub(super) const START_LIMIT: f64 = 0.1;

@@ -7,9 +7,9 @@ use crate::accuracy::linear::slice::largest;
 use crate::accuracy::linear::vectors::dot;
 use crate::accuracy::search::Climb;
 use crate::accuracy::{AccuracyError, PoseAccuracy};
-use crate::geometry::pose::Pose;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::output::SpatialOutput;
+use loosepin_math::Pose;
 
 /// Most climbs of a length, each in the direction of the displacement so far.
 const MAX_CLIMBS: usize = 50;

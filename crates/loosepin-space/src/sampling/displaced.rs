@@ -5,8 +5,8 @@ use super::nominal::Base;
 use crate::closure::bordered::Bordered;
 use crate::closure::loops::Loops;
 use crate::closure::newton::largest;
-use crate::geometry::pose::{Frame, Pose};
 use crate::kind::frames::{JointFrames, MarkerShift};
+use loosepin_math::{Frame, Pose};
 
 /// Most steps; five are usual.
 const MAX_STEPS: usize = 30;

@@ -13,11 +13,11 @@ use crate::accuracy::plays::Plays;
 use crate::accuracy::{AccuracyError, PoseAccuracy};
 use crate::closure::loops::{Loops, RowEntries};
 use crate::closure::newton::largest;
-use crate::geometry::pose::Pose;
 use crate::kind::frames::MarkerShift;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::output::SpatialOutput;
 use crate::output::kind_of_output::{KindOfOutput, OutputState};
+use loosepin_math::Pose;
 
 /// Part of a gradient along free motions, relative to all of it, that is round-off.
 const FREE_SHARE: f64 = 1e-7;

@@ -1,11 +1,9 @@
 //! What play is to make as large as it can.
 
-use crate::geometry::pose::Pose;
-use crate::geometry::rotation::Rotation;
-use crate::geometry::vector::Vec3;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::output::kind_of_output::{KindOfOutput, OutputState};
 use crate::output::{PointOutput, RotationOutput, SpatialOutput};
+use loosepin_math::{Pose, Rotation, Vec3};
 
 /// A convex function of displacements, the angle of a rotation, or the deviation of an output.
 #[derive(Debug, Clone, Copy)]

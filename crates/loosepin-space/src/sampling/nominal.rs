@@ -9,8 +9,6 @@ use crate::closure::cycle::{Cycle, cycle_from};
 use crate::closure::error::ClosureError;
 use crate::closure::loops::Loops;
 use crate::closure::position::Position;
-use crate::geometry::pose::Pose;
-use crate::geometry::vector::Vec3;
 use crate::mechanism::drive::DriveValue;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::model::{ModelOutput, ModelOutputKind, SpatialModel};
@@ -18,6 +16,7 @@ use crate::motion::motion;
 use crate::output::SpatialOutput;
 use crate::output::kind_of_output::{KindOfOutput, OutputState};
 use crate::stop::IsStopped;
+use loosepin_math::{Pose, Vec3};
 use loosepin_text::numbers::Values;
 use std::f64::consts::FRAC_PI_2;
 

@@ -19,11 +19,11 @@ use crate::closure::loops::Loops;
 use crate::closure::newton::largest;
 use crate::closure::position::Position;
 use crate::closure::step::CLOSED;
-use crate::geometry::pose::Pose;
 use crate::mechanism::drive::JointCoordinate;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::output::SpatialOutput;
 use crate::stop::IsStopped;
+use loosepin_math::Pose;
 use loosepin_text::numbers::Values;
 
 /// By how much drives may be elsewhere than nominally, rad or m, relative to one and to their place.

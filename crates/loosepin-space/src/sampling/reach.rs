@@ -3,9 +3,9 @@
 use super::goal::Goal;
 use super::part::PlaySide;
 use crate::accuracy::AccuracyError;
-use crate::geometry::pose::Pose;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::output::SpatialOutput;
+use loosepin_math::Pose;
 
 /// A closed position of a sample, and what play makes of it. Variables of play are in units of their radii.
 pub(super) trait Reach {

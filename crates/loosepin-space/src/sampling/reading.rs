@@ -8,11 +8,10 @@ use super::reach::Reach;
 use super::shortest::shortest;
 use super::turn_sample::Numbers;
 use crate::accuracy::AccuracyError;
-use crate::geometry::pose::Pose;
-use crate::geometry::vector::Vec3;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::output::kind_of_output::{KindOfOutput, OutputState};
 use crate::output::{PointOutput, SpatialOutput};
+use loosepin_math::{Pose, Vec3};
 
 /// A part of an output with its components, in the sample and nominally.
 pub(super) struct PlacedPart<'a> {

@@ -28,7 +28,7 @@ fn limits(study: &Study, source: &Arc<Source>) -> Vec<(LiveLimit, Option<LimitVi
     };
     let line = |(index, required): (usize, &loosepin::study::Requirement)| {
         let Limit::Within(within_si) = required.limit else { return None };
-        if required.deviation != Deviation::Total || required.location != Where::Cycle {
+        if required.deviation != Deviation::of_all_causes() || required.location != Where::Cycle {
             return None;
         }
         let output = study.outputs[required.output].name.clone();

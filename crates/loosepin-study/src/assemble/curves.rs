@@ -3,7 +3,7 @@
 use super::drawing::Pictures;
 use super::material::Material;
 use super::value_bands::value_bands;
-use crate::file::{Ask, Deviation, Where};
+use crate::file::{Ask, Where};
 use crate::question::CurveBand;
 use crate::response::columns::{BAND, Location};
 use crate::response::outputs::OutputSource;
@@ -40,10 +40,7 @@ fn curve(material: &Material<'_>, pictures: &Pictures, bands: &[CurveBand], ask:
     for &column in &ask.columns {
         curve.pose_rad.push(material.point_of(column, true).pose_rad().unwrap_or(f64::NAN));
         curve.ideal_si.push(material.response.nominal_at_pose()[column]);
-        curve.nominal_si.push(match ask.deviation {
-            Deviation::Dimensional => 0.0,
-            _ => pictures.nominal_row[column],
-        });
+        curve.nominal_si.push(if ask.deviation.has_play() { pictures.nominal_row[column] } else { 0.0 });
         let random = BAND.map(|probability| material.central(column, Statistic::quantile_at(probability)));
         let [lower, upper] = random.map(|ends| ends.unwrap_or([f64::NAN; 2]));
         curve.random.lower_si.push(lower[0]);

@@ -229,7 +229,7 @@ impl Material<'_> {
     /// max|d|, the quantiles of d lie within those of ± max|d|, and other increasing statistics of d lie within S(- max|d|) and S(max|d|).
     fn limits(&self, column: usize, statistic: Statistic) -> [Limit; 2] {
         let planned = self.plan().columns[column];
-        let largest = StudyColumn { spot: Location::Reduced(Reduction::MaximumAbsolute), ..planned };
+        let largest = StudyColumn { spot: Location::Reduced(Reduction::largest_magnitude()), ..planned };
         let largest = self.plan().columns.iter().position(|known| *known == largest);
         let (Some(largest), Location::Pose { .. }) = (largest, planned.spot) else {
             return Limit::NONE;
@@ -365,7 +365,7 @@ mod tests {
         let columns = &runs.response.plan().columns;
         let pose = runs.response.plan().asks[0].columns[2];
         let Some(largest) = (0..columns.len()).find(|column| {
-            let is_largest = super::Location::Reduced(super::Reduction::MaximumAbsolute);
+            let is_largest = super::Location::Reduced(super::Reduction::largest_magnitude());
             columns[*column].spot == is_largest && runs.bounds.pairs.iter().any(|pair| pair.column == *column)
         }) else {
             panic!("the largest deviation narrows curves");

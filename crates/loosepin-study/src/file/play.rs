@@ -87,7 +87,7 @@ impl StudyReader {
     /// Whether a deviation depends on places of journals that nothing decides.
     fn has_unknown_play(&self, deviation: Deviation) -> bool {
         let is_unknown = self.model.spatial().is_some() && self.model.has_play() && self.journals.is_none();
-        is_unknown && deviation != Deviation::Dimensional
+        is_unknown && deviation.has_play()
     }
 
     /// Refuses statistics whose largest value is not where all mechanisms have their journals on one side: what is monotone in a number has its

@@ -31,8 +31,7 @@ macro_rules! worded {
 pub(super) const READINGS: [(&str, Reading); Reading::ALL.len()] = worded!(Reading::ALL, file_word);
 
 /// Which deviation of an output.
-pub(super) const DEVIATIONS: [(&str, Deviation); 4] =
-    worded!([Deviation::Value, Deviation::Dimensional, Deviation::Clearance, Deviation::Total], word);
+pub(super) const DEVIATIONS: [(&str, Deviation); Deviation::ALL.len()] = worded!(Deviation::ALL, word);
 
 /// How a curve becomes one number; the words are those of results too.
 pub(super) const REDUCTIONS: [(&str, Reduction); Reduction::ALL.len()] = worded!(Reduction::ALL, word);

@@ -212,17 +212,15 @@ fn further_turns(settings: Settings, runs: &Runs<'_>) -> Result<FurtherTurnsResu
 /// A column that more turns can only move one way.
 fn extreme((index, column): (usize, &StudyColumn)) -> Option<(usize, Reduction)> {
     match column.spot {
-        Location::Reduced(
-            reduction @ (Reduction::Maximum | Reduction::Minimum | Reduction::MaximumAbsolute | Reduction::Range),
-        ) => Some((index, reduction)),
-        Location::Reduced(Reduction::RootMeanSquare | Reduction::Mean) | Location::Pose { .. } => None,
+        Location::Reduced(reduction) => reduction.moved_by_more_turns().map(|_| (index, reduction)),
+        Location::Pose { .. } => None,
     }
 }
 
 /// Excess of the later turns over the recorded ones. Where the recorded turns end a step ends, so that both differ by its error.
 fn excess(reduction: Reduction, recorded_si: f64, later_si: f64) -> f64 {
-    let sign = if reduction == Reduction::Minimum { -1.0 } else { 1.0 };
-    (sign * (later_si - recorded_si)).max(0.0)
+    let direction = reduction.moved_by_more_turns().unwrap_or(f64::NAN);
+    (direction * (later_si - recorded_si)).max(0.0)
 }
 
 fn keeps(limit: Limit, value_si: f64) -> bool {

@@ -115,7 +115,7 @@ impl ColumnPlan {
             plan.asks.push(Ask { columns, ..ask.clone() });
         }
         // No pose departs further than the largest deviation of the whole recorded part: its bounds narrow those of curves.
-        let whole = [Location::Reduced(Reduction::MaximumAbsolute)];
+        let whole = [Location::Reduced(Reduction::largest_magnitude())];
         for k in 0..plan.asks.len() {
             let Ask { output, deviation, ref location, .. } = plan.asks[k];
             let is_at_poses = !matches!(location, Where::Reduced(_));

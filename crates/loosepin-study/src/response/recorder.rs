@@ -10,6 +10,7 @@ use loosepin_math::{Vec2, sort_ascending};
 use loosepin_mechanics::dynamics::Dynamics;
 use loosepin_mechanics::mechanism::SampleError;
 use loosepin_mechanics::model::{JointId, WearMeasure};
+use loosepin_result::study::Course;
 use loosepin_result::study::PathError;
 use loosepin_simulate::{
     Arms, DeviationRange, Follow, FollowedDeviation, FollowedPath, FollowedRun, FreeMotion, GAUSS, IdealCurve,
@@ -137,16 +138,13 @@ impl Shared {
                         looked_is_integrated.push(false);
                         looked.len() - 1
                     });
-                    looked_is_integrated[deviation] |= is_integral(reduction);
+                    looked_is_integrated[deviation] |= reduction.is_of_means();
                     ColumnSource::Looked { deviation, reduction }
                 }
             }));
         }
         looks.sort_by(|&a, &b| pose_turns(&plan, a).total_cmp(&pose_turns(&plan, b)).then(a.cmp(&b)));
-        let mut of_own = plan
-            .columns
-            .iter()
-            .filter(|column| matches!(column.deviation, Deviation::Clearance | Deviation::Dimensional));
+        let mut of_own = plan.columns.iter().filter(|column| column.deviation.needs_own_ideal());
         let needs_own_ideal = of_own.clone().next().is_some();
         let is_position = |output: usize| plan.outputs[output].seen.readings().all(|reading| reading.is_position());
         let needs_own_reference = of_own.any(|column| !is_position(column.output));
@@ -173,7 +171,7 @@ impl Shared {
 
     /// Whether a deviation from the nominal motion is followed by looks inside the steps.
     pub fn needs_nominal_reference(&self) -> bool {
-        self.looked.iter().any(|(_, of)| matches!(of, Deviation::Total | Deviation::Dimensional))
+        self.looked.iter().any(|(_, of)| of.is_from_drawing())
     }
 
     /// References of a run over `window` whose turns last `turn_s`; `own`: the table of its own ideal motion.
@@ -199,7 +197,7 @@ fn follow_deviation(
         known.push(FollowedDeviation { reading, deviation, is_integrated: false });
         known.len() - 1
     });
-    known[place].is_integrated |= is_integral(reduction);
+    known[place].is_integrated |= reduction.is_of_means();
     ColumnSource::Followed { deviation: place, reduction }
 }
 
@@ -217,7 +215,7 @@ fn follow_path(
     });
     let part = PathError::ALL.iter().position(|known| *known == part).unwrap_or(0);
     known[path].parts[part] = true;
-    known[path].is_integrated |= is_integral(reduction);
+    known[path].is_integrated |= reduction.is_of_means();
     ColumnSource::FollowedPath { path, part, reduction }
 }
 
@@ -228,10 +226,6 @@ fn follow_inside(known: &mut Vec<Reading>, reading: Reading, reduction: Reductio
         known.len() - 1
     });
     ColumnSource::Inside { value, reduction }
-}
-
-fn is_integral(reduction: Reduction) -> bool {
-    matches!(reduction, Reduction::Mean | Reduction::RootMeanSquare)
 }
 
 /// Turns of the pose of a column; NaN for a reduced one.
@@ -316,7 +310,7 @@ impl<'r> Recorder<'r> {
                     let share = (shared.instants_turns[instant] / turns).min(1.0);
                     let actual = || findings.at_instants.get(instant * readings + reading).copied().unwrap_or(f64::NAN);
                     let own = || self.references.curve.as_ref().map_or(f64::NAN, |curve| curve.value(reading, share));
-                    deviation(column.deviation, actual, own, || shared.nominal_at_pose[index])
+                    column.deviation.between(actual, own, || shared.nominal_at_pose[index])
                 }
                 ColumnSource::Followed { deviation, reduction } => {
                     reduced(&findings.deviations[deviation], reduction, span_s)
@@ -365,8 +359,8 @@ impl<'r> Recorder<'r> {
         let jets = |curve: &IdealCurve| own.map(|reading| curve.jet(reading, share, span_s));
         let nominal = jets(&self.shared.nominal_curve);
         let own = self.references.curve.as_ref().map_or([[f64::NAN; 3]; 2], |curve| jets(curve));
-        let error = [0, 1].map(|k| deviation(of, || actual[k], || own[k][0], || nominal[k][0]));
-        let [x, y] = if of == Deviation::Clearance { own } else { nominal };
+        let error = [0, 1].map(|k| of.between(|| actual[k], || own[k][0], || nominal[k][0]));
+        let [x, y] = if of.is_by_play_alone() { own } else { nominal };
         path_error(part, Vec2::new(error[0], error[1]), Vec2::new(x[1], y[1]), Vec2::new(x[2], y[2]))
     }
 
@@ -395,15 +389,13 @@ impl<'r> Recorder<'r> {
             None => f64::NAN,
         };
         let nominal_s = references.nominal_window.start_s + self.nominal_per_own * (time_s - self.window.start_s);
-        let needs_own = matches!(of, Deviation::Clearance | Deviation::Dimensional);
-        let own = if needs_own { ideal(&mut references.own, time_s) } else { f64::NAN };
-        let needs_nominal = matches!(of, Deviation::Total | Deviation::Dimensional);
+        let own = if of.needs_own_ideal() { ideal(&mut references.own, time_s) } else { f64::NAN };
         let nominal = match nominal {
             Some(nominal) => nominal,
-            None if needs_nominal => ideal(&mut references.nominal, nominal_s),
+            None if of.is_from_drawing() => ideal(&mut references.nominal, nominal_s),
             None => f64::NAN,
         };
-        deviation(of, || actual, || own, || nominal)
+        of.between(|| actual, || own, || nominal)
     }
 
     /// Columns at poses that need a look inside the step.
@@ -502,32 +494,10 @@ impl Observer for Recorder<'_> {
     }
 }
 
-/// A deviation from the value of the real mechanism, of its own ideal motion and of the nominal one.
-fn deviation(
-    of: Deviation,
-    actual: impl FnOnce() -> f64,
-    own: impl FnOnce() -> f64,
-    nominal: impl FnOnce() -> f64,
-) -> f64 {
-    match of {
-        Deviation::Value => actual(),
-        Deviation::Total => actual() - nominal(),
-        Deviation::Clearance => actual() - own(),
-        Deviation::Dimensional => own() - nominal(),
-    }
-}
-
 /// A deviation over a recorded part of `span_s` as one number.
 fn reduced(range: &DeviationRange, reduction: Reduction, span_s: f64) -> f64 {
     let DeviationRange { largest, smallest, integral, integral_of_square } = *range;
-    match reduction {
-        Reduction::Maximum => largest,
-        Reduction::Minimum => smallest,
-        Reduction::MaximumAbsolute => largest.max(-smallest),
-        Reduction::Range => largest - smallest,
-        Reduction::Mean => integral / span_s,
-        Reduction::RootMeanSquare => (integral_of_square / span_s).max(0.0).sqrt(),
-    }
+    reduction.of(&Course { largest, smallest, mean: integral / span_s, mean_square: integral_of_square / span_s })
 }
 
 /// Reads an ideal motion, keeping the first reason why it could not be followed.
@@ -571,12 +541,13 @@ mod tests {
         let plan = &response.shared.plan;
         let of = |is_meant: &dyn Fn(&Location) -> bool| {
             let columns = plan.columns.iter().zip(&row);
-            let total = columns
-                .filter(|(column, _)| column.deviation == crate::file::Deviation::Total && is_meant(&column.spot));
+            let total = columns.filter(|(column, _)| {
+                column.deviation == crate::file::Deviation::of_all_causes() && is_meant(&column.spot)
+            });
             total.fold(0.0_f64, |most, (_, value)| most.max(value.abs()))
         };
         [
-            of(&|spot| *spot == Location::Reduced(Reduction::MaximumAbsolute)),
+            of(&|spot| *spot == Location::Reduced(Reduction::largest_magnitude())),
             of(&|spot| matches!(spot, Location::Pose { .. })),
         ]
     }

@@ -1,7 +1,7 @@
 //! Features of equidistant samples: the same for measured and for simulated values.
 
 use crate::file::SampledFeature;
-use loosepin_result::study::Reduction;
+use loosepin_result::study::Course;
 use std::f64::consts::TAU;
 
 /// Cosine and sine amplitude of the `harmonic`-th harmonic of the whole record.
@@ -46,16 +46,14 @@ pub fn sampled_feature(samples: &[f64], turns: usize, feature: SampledFeature, h
     };
     let count = samples.len() as f64;
     let largest = samples.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    let least = samples.iter().copied().fold(f64::INFINITY, f64::min);
+    let smallest = samples.iter().copied().fold(f64::INFINITY, f64::min);
     match feature {
-        SampledFeature::Reduced(reduction) => match reduction {
-            Reduction::Maximum => largest,
-            Reduction::Minimum => least,
-            Reduction::MaximumAbsolute => largest.max(-least),
-            Reduction::RootMeanSquare => (samples.iter().map(|value| value * value).sum::<f64>() / count).sqrt(),
-            Reduction::Mean => samples.iter().sum::<f64>() / count,
-            Reduction::Range => largest - least,
-        },
+        SampledFeature::Reduced(reduction) => reduction.of(&Course {
+            largest,
+            smallest,
+            mean: samples.iter().sum::<f64>() / count,
+            mean_square: samples.iter().map(|value| value * value).sum::<f64>() / count,
+        }),
         SampledFeature::Order(order) => {
             let [cosine, sine] = harmonic(samples, order * turns);
             cosine.hypot(sine)

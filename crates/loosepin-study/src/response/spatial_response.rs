@@ -22,6 +22,7 @@ use crate::response::problem::PrepareError;
 use crate::response::recent_ends::{EndsOfSample, RecentEnds};
 use loosepin_math::sort_ascending;
 use loosepin_mechanics::model::CycleSpan;
+use loosepin_result::study::{Motion, Reference};
 use loosepin_simulate::RunFailure;
 use loosepin_space::{
     AccuracyError, PlayDistribution, PlaySide, SampledPart, SamplingError, SpatialModel, TurnSample, TurnSampler,
@@ -111,7 +112,7 @@ impl SpatialResponse {
             reads.push(Read { part, place });
         }
         // Play is counted to first order unless somebody asks what it makes: that needs a search.
-        let is_searched = plan.columns.iter().any(|column| column.deviation != Deviation::Dimensional);
+        let is_searched = plan.columns.iter().any(|column| column.deviation.has_play());
         let side = if is_searched && study.journals.is_none() { PlaySide::Exact } else { PlaySide::FirstOrder };
         let prepared = |values: &Values| {
             let sampler = TurnSampler::new(model, values, &turns, &parts)?;
@@ -238,16 +239,20 @@ impl SpatialResponse {
     /// The ends of a part at a place.
     fn ends_at(&self, sample: &TurnSample, part: usize, place: usize, of: Deviation) -> Ends {
         let own = part * self.turns.len() + place;
-        match of {
-            Deviation::Value => Ends {
+        match (of.motion(), of.reference()) {
+            (Motion::WithPlay, Reference::Zero) => Ends {
                 lower: sample.ideal_si[own] + sample.smallest_si[own],
                 upper: sample.ideal_si[own] + sample.largest_si[own],
             },
-            Deviation::Dimensional => Ends::of(sample.from_nominal_si[own]),
-            Deviation::Clearance => Ends { lower: sample.smallest_si[own], upper: sample.largest_si[own] },
-            Deviation::Total => {
+            (Motion::WithPlay, Reference::SameParts) => {
+                Ends { lower: sample.smallest_si[own], upper: sample.largest_si[own] }
+            }
+            (Motion::WithPlay, Reference::NominalParts) => {
                 Ends { lower: sample.smallest_from_nominal_si[own], upper: sample.largest_from_nominal_si[own] }
             }
+            (Motion::WithoutPlay, Reference::Zero) => Ends::of(sample.ideal_si[own]),
+            (Motion::WithoutPlay, Reference::SameParts) => Ends::of(0.0),
+            (Motion::WithoutPlay, Reference::NominalParts) => Ends::of(sample.from_nominal_si[own]),
         }
     }
 

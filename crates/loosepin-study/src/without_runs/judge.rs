@@ -171,7 +171,7 @@ impl Judge<'_> {
                     None => NO_POSITION,
                 },
                 OutputSource::Path(coordinates, error) if !of.is_value() || error != PathError::Along => {
-                    let of = if of.is_value() { Deviation::Total } else { of };
+                    let of = if of.is_value() { Deviation::of_all_causes() } else { of };
                     match coordinates.map(|reading| reading.position()) {
                         [Some(x), Some(y)] => Asked::Path([place(x, of), place(y, of)]),
                         _ => NO_POSITION,

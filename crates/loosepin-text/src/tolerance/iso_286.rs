@@ -228,8 +228,8 @@ impl Class {
             return [-0.5 * tolerance, 0.5 * tolerance];
         }
         match shaft_deviation_um(&self.letter, self.grade, range, diameter_mm) {
-            Deviation::Upper(upper) => [upper - tolerance, upper],
-            Deviation::Lower(lower) => [lower, lower + tolerance],
+            FundamentalDeviation::Upper(upper) => [upper - tolerance, upper],
+            FundamentalDeviation::Lower(lower) => [lower, lower + tolerance],
         }
     }
 
@@ -247,8 +247,8 @@ impl Class {
         // The deviation that belongs to the letter: k keeps its value for holes up to grade 8.
         let of_letter = shaft_deviation_um(&letter, if letter == "k" { 6 } else { self.grade }, range, diameter_mm);
         let upper = match of_letter {
-            Deviation::Upper(upper) => return Ok([-upper, -upper + tolerance]),
-            Deviation::Lower(lower) => lower,
+            FundamentalDeviation::Upper(upper) => return Ok([-upper, -upper + tolerance]),
+            FundamentalDeviation::Lower(lower) => lower,
         };
         let upper = match letter.as_str() {
             "k" if self.grade > 8 => return Err(FitError::NoDeviation { class: self.written() }),
@@ -275,7 +275,7 @@ const HOLE_LETTERS: &str = "D E F G H JS K M N P";
 const SHAFT_LETTERS: &str = "d e f g h js k m n p r s";
 
 /// A fundamental deviation, µm: which limit it is.
-enum Deviation {
+enum FundamentalDeviation {
     Lower(f64),
     Upper(f64),
 }
@@ -288,17 +288,17 @@ fn tolerance_um(grade: u8, range: usize) -> f64 {
     TOLERANCES_UM[usize::from(grade + 1 - MIN_GRADE)][range]
 }
 
-fn shaft_deviation_um(letter: &str, grade: u8, range: usize, diameter_mm: f64) -> Deviation {
+fn shaft_deviation_um(letter: &str, grade: u8, range: usize, diameter_mm: f64) -> FundamentalDeviation {
     if let Some((_, below)) = BELOW_UM.iter().find(|(known, _)| *known == letter) {
-        return Deviation::Upper(-below[range]);
+        return FundamentalDeviation::Upper(-below[range]);
     }
     if let Some((_, above)) = ABOVE_UM.iter().find(|(known, _)| *known == letter) {
         let is_zero = letter == "k" && !(4..=7).contains(&grade);
-        return Deviation::Lower(if is_zero { 0.0 } else { above[range] });
+        return FundamentalDeviation::Lower(if is_zero { 0.0 } else { above[range] });
     }
     let fine = ABOVE_FINE_UM.partition_point(|row| row.0 < diameter_mm).min(ABOVE_FINE_UM.len() - 1);
     let (_, r, s) = ABOVE_FINE_UM[fine];
-    Deviation::Lower(if letter == "r" { r } else { s })
+    FundamentalDeviation::Lower(if letter == "r" { r } else { s })
 }
 
 #[cfg(test)]

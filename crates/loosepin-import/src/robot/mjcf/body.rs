@@ -5,10 +5,9 @@ use super::defaults::{Defaults, MAIN, Styled};
 use super::inertia::{of_geom, of_inertial, together};
 use super::orientation::frame;
 use crate::robot::description::{GROUND, Inertial, JointSide, Link, RobotJoint, RobotJointKind};
-use crate::robot::frame::Frame;
 use crate::robot::problem::RobotProblem;
 use crate::robot::xml::Element;
-use loosepin_space::Vec3;
+use loosepin_space::{Frame, Vec3};
 use loosepin_text::diagnostics::Diagnostics;
 use std::collections::{HashMap, HashSet};
 
@@ -227,7 +226,7 @@ impl<'s, 'd> Bodies<'s, 'd> {
         let axis = joint.attribute("axis").map_or(Ok(Vec3::Z), |own| own.direction("axis"))?;
         // A ball has no axis.
         let axis = if kind == RobotJointKind::Ball { Vec3::Z } else { around.axes.apply(axis) };
-        let side = JointSide::new(GROUND, around.point(point_m), axis);
+        let side = JointSide::new(GROUND, around.point_m(point_m), axis);
         let reference = joint.attribute("ref").map_or(Ok(0.0), |own| own.number())? * self.unit(kind);
         let is_actuated = element.attribute("name").is_some_and(|name| self.actuated.contains(name.text));
         let limits = self.limits(joint, kind)?;
@@ -289,7 +288,7 @@ impl<'s, 'd> Bodies<'s, 'd> {
                 self.nameless_sites += 1;
                 continue;
             };
-            let at_m = around.point(site.attribute("pos").map_or(Ok(Vec3::ZERO), |own| own.vector())?);
+            let at_m = around.point_m(site.attribute("pos").map_or(Ok(Vec3::ZERO), |own| own.vector())?);
             if self.sites.insert(name.text, (link, at_m)).is_some() {
                 return Err(name.error(&RobotProblem::SameName { kind: "site", name: name.shown() }));
             }

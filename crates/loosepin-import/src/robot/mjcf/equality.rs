@@ -4,10 +4,9 @@ use super::body::Bodies;
 use super::defaults::MAIN;
 use super::orientation::quaternion;
 use crate::robot::description::{GROUND, JointSide, Robot, RobotJoint, RobotJointKind};
-use crate::robot::frame::Frame;
 use crate::robot::problem::RobotProblem;
 use crate::robot::xml::Element;
-use loosepin_space::Vec3;
+use loosepin_space::{Frame, Vec3};
 use loosepin_text::diagnostics::Diagnostics;
 
 /// Reads `<equality>`: joints that close loops are added to the robot, closed in the pose of the file.
@@ -61,7 +60,7 @@ fn connect(constraint: Element<'_>, bodies: &Bodies<'_, '_>, frames: &[Frame]) -
     }
     let [first, second] = two(constraint, bodies)?;
     let point_m = constraint.required_attribute("anchor")?.vector()?;
-    let in_second = frames[second].inverse().compose(&frames[first]).point(point_m);
+    let in_second = frames[second].inverse().compose(&frames[first]).point_m(point_m);
     Ok([JointSide::new(first, point_m, Vec3::Z), JointSide::new(second, in_second, Vec3::Z)])
 }
 

@@ -4,10 +4,10 @@ use super::compiler::{Compiler, chosen};
 use super::defaults::Styled;
 use super::orientation::{frame, z_axis};
 use crate::robot::description::Inertial;
-use crate::robot::frame::{Frame, turned_inertia};
+use crate::robot::frame::turned_inertia;
 use crate::robot::problem::RobotProblem;
 use crate::robot::xml::Element;
-use loosepin_space::Vec3;
+use loosepin_space::{Frame, Vec3};
 use loosepin_text::diagnostics::Diagnostics;
 use std::f64::consts::PI;
 

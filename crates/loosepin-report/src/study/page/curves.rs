@@ -98,7 +98,7 @@ fn point_words(result: &StudyResult, curve: &DeviationCurve) -> String {
 
 /// The name of a figure: `deviation.slider`, `clearance.slider`.
 fn curve_name(curve: &DeviationCurve) -> String {
-    let kind = if curve.of == Deviation::Total { "deviation" } else { curve.of.word() };
+    let kind = if curve.of == Deviation::of_all_causes() { "deviation" } else { curve.of.word() };
     name_of(kind, &curve.output)
 }
 
@@ -193,7 +193,7 @@ fn deviation_chart(result: &StudyResult, curve: &DeviationCurve, writer: &Number
 /// Whether the last pose of a turn is followed by the first one: not where the runs begin with the recorded part, in a position without
 /// play that they do not come back to. The ideal motion does.
 fn is_periodic(result: &StudyResult, curve: &DeviationCurve) -> bool {
-    result.cycle.recorded_turns == 1.0 && (result.cycle.transient_turns >= 1.0 || curve.of == Deviation::Dimensional)
+    result.cycle.recorded_turns == 1.0 && (result.cycle.transient_turns >= 1.0 || !curve.of.has_play())
 }
 
 /// Whether an input has several intervals with masses.

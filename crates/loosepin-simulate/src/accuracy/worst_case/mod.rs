@@ -27,5 +27,5 @@ pub(super) use path_part::PathPart;
 pub(super) use positions::{Positions, ends_around};
 pub(super) use search::{Objective, best_across, best_of};
 pub use search::{WorstCaseExtremes, WorstPosition, starts_on_borders, worst_case_extremes};
-pub(super) use upper_end::{Ends, Reference};
+pub(super) use upper_end::Ends;
 pub(super) use variables::Variables;

@@ -7,11 +7,12 @@ use super::enclosure::{Encloser, Moving, NotEnclosed};
 use super::path_part::PathPart;
 use super::positions::{Positions, ends_around};
 use super::search::{Objective, WorstPosition, best_across, best_of, starts_on_borders};
-use super::upper_end::{Ends, Reference};
+use super::upper_end::Ends;
 use super::variables::Variables;
 use loosepin_math::Vec2;
 use loosepin_mechanics::mechanism::Mechanism;
 use loosepin_mechanics::model::{Position, Values};
+use loosepin_result::study::Reference;
 
 /// Number of positions after which the search starts from the middle and from the borders of the play too, not only from the extremes at
 /// the positions beside it.

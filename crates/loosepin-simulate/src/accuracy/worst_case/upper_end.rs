@@ -16,18 +16,8 @@ use super::path_part::PathPart;
 use super::positions::Positions;
 use super::variables::balls_and_numbers;
 use loosepin_math::{Interval, QuadraticOverBalls, Real};
+use loosepin_result::study::Reference;
 use std::ops::Range;
-
-/// Reference of the deviations.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in super::super) enum Reference {
-    /// The position without play of the same parts, at the same input.
-    SameParts,
-    /// The ideal position of nominal parts, at the same input.
-    NominalParts,
-    /// The ideal position of nominal parts at the middle of the input.
-    ThisPosition,
-}
 
 /// The lowest and the highest deviation that one output can have, proven.
 pub(in super::super) struct Ends {
@@ -39,13 +29,15 @@ pub(in super::super) struct Ends {
 }
 
 impl Ends {
-    /// `balls` of the play, `dimensions` numbers and perhaps the input.
+    /// `balls` of the play, `dimensions` numbers and perhaps the input. What is counted from zero is counted from the ideal position of nominal
+    /// parts at the middle of the input.
     pub fn new(balls: Vec<Range<usize>>, dimensions: usize, has_input: bool, reference: Reference) -> Self {
         let plays = balls.last().map_or(0, |ball| ball.end);
         let first_of_reference = match reference {
             Reference::SameParts => plays,
             Reference::NominalParts => plays + dimensions,
-            Reference::ThisPosition => usize::MAX,
+            // The output itself, seen from this position: the input moves it, and nothing moves the position.
+            Reference::Zero => usize::MAX,
         };
         let balls = balls_and_numbers(balls, dimensions + usize::from(has_input));
         Self { balls, has_input, first_of_reference }

@@ -10,7 +10,7 @@ use crate::response::outputs::OutputSource;
 use crate::response::sampled_feature::sampled_feature;
 use loosepin_mechanics::model::Cycle;
 use loosepin_result::simulation::Abscissa;
-use loosepin_result::study::{Deviation, Reduction};
+use loosepin_result::study::Deviation;
 use loosepin_simulate::measured::MeasuredTable;
 use loosepin_text::diagnostics::{Code, nearest_name, problems};
 use loosepin_text::document::{Entry, Kind, Reads, Value, choice, count, listed, read_beside};
@@ -237,7 +237,7 @@ impl StudyReader {
         let table = &motion.table;
         let deviation = match &motion.of {
             Some(of) => self.deviation(Some(of), Some(output))?,
-            None => Deviation::Value,
+            None => Deviation::of_value(),
         };
         let written = match &motion.sampled {
             Some(entry) => Some(IsSampled::read(self, entry)?.0),
@@ -249,11 +249,11 @@ impl StudyReader {
         if let (FeatureWord::Reduced(reduction), false) = (feature, needs || written == Some(true)) {
             return Some(MotionSubject::Located { output, deviation, reduction });
         }
-        let problem = match (deviation, self.outputs[output].seen) {
+        let problem = match (deviation.is_value(), self.outputs[output].seen) {
             _ if written == Some(false) => Some(MotionProblem::Between { entry: words.clone() }),
-            (Deviation::Value, OutputSource::Reading(_)) => None,
-            (Deviation::Value, _) => Some(MotionProblem::OutputNotSampled { entry: words.clone() }),
-            _ => Some(MotionProblem::DeviationNotSampled { entry: words.clone() }),
+            (true, OutputSource::Reading(_)) => None,
+            (true, _) => Some(MotionProblem::OutputNotSampled { entry: words.clone() }),
+            (false, _) => Some(MotionProblem::DeviationNotSampled { entry: words.clone() }),
         };
         if let Some(problem) = problem {
             return self.refused(&problem, table.span);
@@ -316,7 +316,7 @@ impl StudyReader {
             MotionSubject::Impacts { .. } => true,
             MotionSubject::Located { reduction, .. }
             | MotionSubject::Sampled { feature: SampledFeature::Reduced(reduction), .. } => {
-                matches!(reduction, Reduction::MaximumAbsolute | Reduction::RootMeanSquare | Reduction::Range)
+                reduction.is_never_negative()
             }
             MotionSubject::Sampled { .. } => true,
         };

@@ -9,7 +9,7 @@ use crate::file::questions::target::AccuracyTarget;
 use crate::file::reader::StudyReader;
 use crate::file::sampling::ACCURACY;
 use crate::file::words::{PLAIN_STATISTICS, REDUCTIONS, STATISTICS, WITH_A_NUMBER, words};
-use loosepin_bounds::{Event, NumberKind, Reading, Statistic};
+use loosepin_bounds::{NumberKind, Reading, Statistic};
 use loosepin_result::study::{Deviation, Reduction, Side};
 use loosepin_text::diagnostics::{Diagnostic, Place};
 use loosepin_text::document::{Entry, Key, Keys, Kind, Reads, Table, Value, choice, optional};
@@ -160,11 +160,7 @@ impl Ask {
 
 /// The number of a curve that lies beyond the limit of a probability where any of its values does.
 pub fn furthest(statistic: Statistic) -> Reduction {
-    match statistic.event() {
-        Some(Event::Above(_)) => Reduction::Maximum,
-        Some(Event::Below(_) | Event::UpTo(_)) => Reduction::Minimum,
-        Some(Event::Beyond(_)) | None => Reduction::MaximumAbsolute,
-    }
+    statistic.event().map_or(Reduction::largest_magnitude(), Reduction::furthest_into)
 }
 
 /// A question about a curve without the small probabilities in it, then these: of leaving the limit anywhere in the cycle, which is what

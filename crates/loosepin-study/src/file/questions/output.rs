@@ -86,7 +86,7 @@ impl StudyReader {
             return self.refused(&problem, entry.span);
         }
         let has_play = self.model.has_play();
-        if deviation == Deviation::Clearance && !has_play {
+        if deviation.is_by_play_alone() && !has_play {
             return self.refused(&StudyProblem::NoPlay { entry: entry.path.describe() }, entry.span);
         }
         Some(deviation)

@@ -1,6 +1,7 @@
 //! Requirements: what an output must keep, and in how many mechanisms.
 
 use crate::file::problem::{MeantLimit, StudyProblem};
+use crate::file::questions::ask::furthest;
 use crate::file::questions::location::{POSES, Where};
 use crate::file::questions::output::{COMPONENT, DEVIATION, OUTPUT};
 use crate::file::reader::StudyReader;
@@ -34,11 +35,7 @@ impl Limit {
 
     /// The number of a whole curve that breaks it where any point of the curve does.
     pub fn reduction(self) -> Reduction {
-        match self {
-            Self::Within(_) => Reduction::MaximumAbsolute,
-            Self::Below(_) => Reduction::Maximum,
-            Self::Above(_) => Reduction::Minimum,
-        }
+        furthest(self.broken())
     }
 
     /// The least and the largest value allowed.

@@ -4,7 +4,7 @@ use super::plan::{ContributorPlan, groups};
 use super::subjects::Subject;
 use super::without_dynamics::{Effects, WithoutDynamics};
 use crate::assemble::Material;
-use crate::file::{Deviation, EpistemicInput, Study};
+use crate::file::{EpistemicInput, Study};
 use loosepin_bounds::{DoubleLoop, Pinching};
 use loosepin_math::sort_by_number;
 use loosepin_result::study::{Contributors, EpistemicContributor, RandomContributor, ResponsePoint, ShareRange};
@@ -53,7 +53,7 @@ fn of_subject(
             let total = range(&indices, |indices| indices.total[group]);
             let shares = effects
                 // Shares of a variance add up to 1 only where the inputs are independent.
-                .filter(|_| deviation != Deviation::Clearance && study.correlation.is_none())
+                .filter(|_| !deviation.is_by_play_alone() && study.correlation.is_none())
                 .and_then(|effects| paths.iter().map(|path| effects.variance_share(path)).sum::<Option<f64>>());
             // Without indices, by the linear share. What does not enter the ideal motion, such as a mass, has an effect that only runs show.
             let linear = shares.filter(|share| *share > 0.0 || is_all).unwrap_or(f64::NAN);
@@ -79,7 +79,7 @@ fn of_subject(
                 band_share,
                 error,
                 quasi_static_share: effects
-                    .filter(|_| deviation != Deviation::Dimensional)
+                    .filter(|_| deviation.has_play())
                     .and_then(|effects| effects.play_share(&play_from(study, input))),
                 can_be_measured: input.can_be_measured(),
             }

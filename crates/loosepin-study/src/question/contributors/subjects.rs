@@ -76,7 +76,7 @@ fn first_asked(plan: &ColumnPlan, output: usize) -> Vec<Subject> {
     }
     let is_largest = |column: &StudyColumn| {
         (column.output, column.deviation) == (output, ask.deviation)
-            && matches!(column.spot, Location::Reduced(Reduction::MaximumAbsolute))
+            && column.spot == Location::Reduced(Reduction::largest_magnitude())
     };
     match plan.columns.iter().position(is_largest) {
         Some(column) => vec![number(ask.deviation, column)],

@@ -1,8 +1,8 @@
 //! A turn as a unit quaternion.
 
-use crate::geometry::rotation::Rotation;
-use crate::geometry::vector::Vec3;
-use loosepin_math::sin_cos;
+use super::rotation::Rotation;
+use super::vec3::Vec3;
+use crate::sin_cos;
 
 /// A unit quaternion (w, x, y, z): cos(θ/2), and sin(θ/2) times the axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,6 +18,7 @@ impl Quaternion {
     pub const IDENTITY: Self = Self { w: 1.0, vector: Vec3::ZERO };
 
     /// The quaternion (w, x, y, z), as it is.
+    #[inline]
     pub fn new(w: f64, x: f64, y: f64, z: f64) -> Self {
         Self { w, vector: Vec3::new(x, y, z) }
     }
@@ -37,6 +38,7 @@ impl Quaternion {
     }
 
     /// First the turn `other`, then this one.
+    #[inline]
     pub fn compose(&self, other: &Self) -> Self {
         Self {
             w: self.w * other.w - self.vector.dot(other.vector),
@@ -45,17 +47,20 @@ impl Quaternion {
     }
 
     /// The same turn with a unit quaternion.
+    #[inline]
     pub fn normalised(&self) -> Self {
         let size = self.size();
         Self { w: self.w / size, vector: self.vector / size }
     }
 
     /// √(w² + x² + y² + z²).
+    #[inline]
     pub fn size(&self) -> f64 {
         (self.w * self.w + self.vector.dot(self.vector)).sqrt()
     }
 
     /// Its axes.
+    #[inline]
     pub fn rotation(&self) -> Rotation {
         let (w, Vec3 { x, y, z }) = (self.w, self.vector);
         Rotation {

@@ -1,31 +1,29 @@
 //! A turn as three axes.
 
-use crate::geometry::vector::Vec3;
+use super::vec3::Vec3;
+use crate::Real;
 
 /// Axes of a frame, x, y and z, in the axes of another: the columns of the matrix R of the turn.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Rotation {
+pub struct Rotation<T = f64> {
     /// The x axis.
-    pub x: Vec3,
+    pub x: Vec3<T>,
     /// The y axis.
-    pub y: Vec3,
+    pub y: Vec3<T>,
     /// The z axis.
-    pub z: Vec3,
+    pub z: Vec3<T>,
 }
 
-impl Rotation {
-    /// No turn.
-    pub const IDENTITY: Self = Self { x: Vec3::X, y: Vec3::Y, z: Vec3::Z };
-
+impl<T: Real> Rotation<T> {
     /// R v: a vector of this frame in the axes of the other.
     #[inline(always)]
-    pub fn apply(&self, vector: Vec3) -> Vec3 {
+    pub fn apply(&self, vector: Vec3<T>) -> Vec3<T> {
         self.x * vector.x + self.y * vector.y + self.z * vector.z
     }
 
     /// Rᵀ v: a vector of the other frame in the axes of this one.
     #[inline(always)]
-    pub fn apply_transposed(&self, vector: Vec3) -> Vec3 {
+    pub fn apply_transposed(&self, vector: Vec3<T>) -> Vec3<T> {
         Vec3::new(self.x.dot(vector), self.y.dot(vector), self.z.dot(vector))
     }
 
@@ -35,17 +33,32 @@ impl Rotation {
         Self { x: self.apply(other.x), y: self.apply(other.y), z: self.apply(other.z) }
     }
 
+    /// Rᵀ: the way back.
+    #[inline(always)]
+    pub fn transposed(&self) -> Self {
+        let Self { x, y, z } = *self;
+        Self { x: Vec3::new(x.x, y.x, z.x), y: Vec3::new(x.y, y.y, z.y), z: Vec3::new(x.z, y.z, z.z) }
+    }
+
     /// Rᵀ S.
+    #[inline]
     pub fn transposed_times(&self, other: &Self) -> Self {
         Self { x: self.apply_transposed(other.x), y: self.apply_transposed(other.y), z: self.apply_transposed(other.z) }
     }
+}
+
+impl Rotation {
+    /// No turn.
+    pub const IDENTITY: Self = Self { x: Vec3::X, y: Vec3::Y, z: Vec3::Z };
 
     /// The axial vector of (R - Rᵀ)/2: sin θ times the axis of the turn.
+    #[inline]
     pub fn axial_vector(&self) -> Vec3 {
         Vec3::new(self.y.z - self.z.y, self.z.x - self.x.z, self.x.y - self.y.x) * 0.5
     }
 
     /// The sum of the diagonal, 1 + 2 cos θ.
+    #[inline]
     pub fn trace(&self) -> f64 {
         self.x.x + self.y.y + self.z.z
     }

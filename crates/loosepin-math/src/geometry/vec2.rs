@@ -1,6 +1,6 @@
 //! A vector in the plane.
 
-use super::Real;
+use crate::Real;
 use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 
 /// A vector in the plane, its components in the unit of the variable's name.

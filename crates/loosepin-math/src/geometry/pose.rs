@@ -1,8 +1,8 @@
 //! Where a body is, and how it is turned.
 
-use crate::geometry::quaternion::Quaternion;
-use crate::geometry::rotation::Rotation;
-use crate::geometry::vector::Vec3;
+use super::quaternion::Quaternion;
+use super::rotation::Rotation;
+use super::vec3::Vec3;
 
 /// Pose of a body: the origin of its frame in the ground's, and the turn that takes body axes into ground axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,6 +18,7 @@ impl Pose {
     pub const GROUND: Self = Self { position_m: Vec3::ZERO, orientation: Quaternion::IDENTITY };
 
     /// A pose.
+    #[inline]
     pub fn new(position_m: Vec3, orientation: Quaternion) -> Self {
         Self { position_m, orientation }
     }
@@ -30,19 +31,47 @@ impl Pose {
     }
 
     /// A point of the body in the ground's frame, m.
+    #[inline]
     pub fn point_m(&self, point_m: Vec3) -> Vec3 {
         self.position_m + self.orientation.rotation().apply(point_m)
     }
 }
 
-/// A pose with its axes written out.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Frame {
+/// A frame in another one: a pose with its axes written out.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Frame {
+    /// Its origin, m.
     pub origin_m: Vec3,
+    /// Its axes.
     pub axes: Rotation,
 }
 
+impl Frame {
+    /// The other frame itself.
+    pub const IDENTITY: Self = Self { origin_m: Vec3::ZERO, axes: Rotation::IDENTITY };
+
+    /// A point of this frame in the other one, m.
+    #[inline(always)]
+    pub fn point_m(&self, point_m: Vec3) -> Vec3 {
+        self.origin_m + self.axes.apply(point_m)
+    }
+
+    /// A frame in this one, seen from the other one.
+    #[inline(always)]
+    pub fn compose(&self, inner: &Self) -> Self {
+        Self { origin_m: self.point_m(inner.origin_m), axes: self.axes.compose(&inner.axes) }
+    }
+
+    /// The other frame, seen from this one.
+    #[inline(always)]
+    pub fn inverse(&self) -> Self {
+        let axes = self.axes.transposed();
+        Self { origin_m: -axes.apply(self.origin_m), axes }
+    }
+}
+
 impl From<&Pose> for Frame {
+    #[inline]
     fn from(pose: &Pose) -> Self {
         Self { origin_m: pose.position_m, axes: pose.orientation.rotation() }
     }

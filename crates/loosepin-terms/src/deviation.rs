@@ -1,0 +1,149 @@
+//! Deviations of an output, the list of them. Nobody else asks which deviation it is: they ask which motion it is of and what it counts from.
+
+use serde::{Deserialize, Serialize};
+
+/// A motion of an output.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Motion {
+    /// With the play of the joints.
+    WithPlay,
+    /// Ideal, of the same parts.
+    WithoutPlay,
+}
+
+/// What a deviation counts from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Reference {
+    /// From zero: it is the output itself.
+    Zero,
+    /// The ideal motion of the same parts.
+    SameParts,
+    /// The ideal motion of parts as the drawing has them.
+    NominalParts,
+}
+
+macro_rules! deviations {
+    ($($(#[$doc:meta])* $name:ident: $word:literal = $motion:ident from $reference:ident),* $(,)?) => {
+        /// Deviation of an output.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+        pub enum Deviation {
+            $($(#[$doc])* #[serde(rename = $word)] $name,)*
+        }
+
+        impl Deviation {
+            /// Every deviation, in the order in which study files name them.
+            pub const ALL: [Self; [$($word),*].len()] = [$(Self::$name),*];
+
+            /// Word in study files, results and tables.
+            pub const fn word(self) -> &'static str {
+                match self { $(Self::$name => $word,)* }
+            }
+
+            /// The motion that it is of.
+            pub const fn motion(self) -> Motion {
+                match self { $(Self::$name => Motion::$motion,)* }
+            }
+
+            /// What it counts from.
+            pub const fn reference(self) -> Reference {
+                match self { $(Self::$name => Reference::$reference,)* }
+            }
+        }
+    };
+}
+
+deviations! {
+    /// The output itself.
+    Value: "value" = WithPlay from Zero,
+    /// Ideal motion of the parts as they are, from that of nominal ones: what scatter of the parts alone makes.
+    Dimensional: "dimensional" = WithoutPlay from NominalParts,
+    /// What play alone makes.
+    Clearance: "clearance" = WithPlay from SameParts,
+    /// What scatter of the parts and play make together.
+    Total: "total" = WithPlay from NominalParts,
+}
+
+impl Deviation {
+    /// What an answer is about where nothing is said: what all causes make together.
+    pub const fn of_all_causes() -> Self {
+        Self::Total
+    }
+
+    /// The output itself.
+    pub const fn of_value() -> Self {
+        Self::Value
+    }
+
+    /// Whether it is the output itself, and no deviation.
+    pub const fn is_value(self) -> bool {
+        matches!(self.reference(), Reference::Zero)
+    }
+
+    /// Whether it counts from the ideal motion with the dimensions of the drawing, not from that of the same mechanism without clearance.
+    pub const fn is_from_drawing(self) -> bool {
+        matches!(self.reference(), Reference::NominalParts)
+    }
+
+    /// Whether play has a part in it.
+    pub const fn has_play(self) -> bool {
+        matches!(self.motion(), Motion::WithPlay)
+    }
+
+    /// Whether play alone makes it: part scatter does not move what it counts from.
+    pub const fn is_by_play_alone(self) -> bool {
+        matches!((self.motion(), self.reference()), (Motion::WithPlay, Reference::SameParts))
+    }
+
+    /// Whether the ideal motion of the parts as they are has a part in it.
+    pub const fn needs_own_ideal(self) -> bool {
+        !self.has_play() || matches!(self.reference(), Reference::SameParts)
+    }
+
+    /// What makes it, in words; `None` where all of it is meant.
+    pub const fn cause(self) -> Option<&'static str> {
+        match (self.motion(), self.reference()) {
+            (_, Reference::Zero) | (Motion::WithPlay, Reference::NominalParts) => None,
+            (Motion::WithoutPlay, _) => Some("part scatter"),
+            (Motion::WithPlay, Reference::SameParts) => Some("play"),
+        }
+    }
+
+    /// The deviation from the value of the motion with play, of the ideal motion of the same parts, and of that of nominal ones. Asks for none
+    /// that it does not need.
+    pub fn between(
+        self,
+        with_play: impl FnOnce() -> f64,
+        own: impl FnOnce() -> f64 + Copy,
+        nominal: impl FnOnce() -> f64,
+    ) -> f64 {
+        let value = match self.motion() {
+            Motion::WithPlay => with_play(),
+            Motion::WithoutPlay => own(),
+        };
+        match self.reference() {
+            Reference::Zero => value,
+            Reference::SameParts => value - own(),
+            Reference::NominalParts => value - nominal(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Deviation;
+
+    #[test]
+    fn identity_the_word_is_what_files_hold() {
+        for deviation in Deviation::ALL {
+            assert_eq!(serde_json::to_value(deviation).unwrap(), deviation.word());
+        }
+    }
+
+    #[test]
+    fn analytic_parts_of_a_deviation_add_up_to_all_of_it() {
+        let of = |deviation: Deviation| deviation.between(|| 7.0, || 5.0, || 2.0);
+        assert_eq!(Deviation::ALL.map(of), [7.0, 3.0, 2.0, 5.0]);
+        assert_eq!(of(Deviation::Total), of(Deviation::Dimensional) + of(Deviation::Clearance));
+        assert_eq!(Deviation::ALL.map(Deviation::cause), [None, Some("part scatter"), Some("play"), None]);
+    }
+}
