@@ -34,9 +34,9 @@ def git(*arguments: str) -> str:
     return output("git", *arguments, cwd=REPOSITORY).decode().strip()
 
 
-def compiler_flags() -> list[str]:
-    """The flags of every build of the repository."""
-    return tomllib.loads((REPOSITORY / ".cargo/config.toml").read_text())["build"]["rustflags"]
+def compiler_flags(sources: Path) -> list[str]:
+    """The flags of every build of these sources."""
+    return tomllib.loads((sources / ".cargo/config.toml").read_text())["build"]["rustflags"]
 
 
 def environment(folder: Path, commit: str, tools: Tools) -> dict[str, str]:
@@ -51,7 +51,7 @@ def environment(folder: Path, commit: str, tools: Tools) -> dict[str, str]:
         "CARGO_PROFILE_RELEASE_DEBUG": "false",
         "CARGO_PROFILE_RELEASE_STRIP": "symbols",
         # Flags of the environment replace those of the repository.
-        "CARGO_ENCODED_RUSTFLAGS": "\x1f".join(compiler_flags() + [f"--remap-path-prefix={place}={name}" for place, name in places]),
+        "CARGO_ENCODED_RUSTFLAGS": "\x1f".join(compiler_flags(sources) + [f"--remap-path-prefix={place}={name}" for place, name in places]),
         "CFLAGS": " ".join(f"-ffile-prefix-map={place}={name}" for place, name in places),
         "LOOSEPIN_COMMIT": commit[:COMMIT_DIGITS],
         "SOURCE_DATE_EPOCH": git("log", "-1", "--format=%ct", commit),

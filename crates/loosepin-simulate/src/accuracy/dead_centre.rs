@@ -19,6 +19,9 @@ const LEAST_GAIN: f64 = 1e-3;
 const NEARLY_NONE: f64 = 1e-2;
 /// The shortest part of a step before the loops count as not closing any more.
 const LAST_PART: f64 = 2.328_306_436_538_696_3e-10; // 2⁻³²
+/// Most parts of a walk, closed or not: to halve the last one away takes 32, and as many may close between. Where many short parts close one
+/// after another and longer ones do not, round-off decides.
+const MOST_PARTS: usize = 128;
 /// Share of the last step that is gone back from a dead centre: both assemblies are then apart by the root of it.
 const BACK: f64 = 1e-3;
 /// Step of the derivatives, in units of the play.
@@ -60,7 +63,7 @@ enum Walk {
 /// Walks straight to a place within the play as long as the loops close.
 fn walk(loops: &mut DisplacedLoops<'_>, to: &[Vec2<f64>], none: f64) -> Walk {
     let from = loops.displacements().to_vec();
-    if loops.advance(to, LAST_PART).is_ok() {
+    if loops.advance(to, LAST_PART, MOST_PARTS).is_ok() {
         return Walk::ToItsEnd;
     }
     if loops.determinant() >= none {

@@ -125,24 +125,35 @@ impl<'a> DisplacedLoops<'a> {
     /// The loops cannot be closed, or a singular position lies on the way. The joints are then where they were.
     pub fn displace(&mut self, displacements: &[Vec2<f64>]) -> Result<(), AccuracyError> {
         let start = self.place();
-        let moved = self.advance(displacements, 0.5_f64.powi(HALVINGS as i32));
+        let moved = self.advance(displacements, 0.5_f64.powi(HALVINGS as i32), usize::MAX);
         if moved.is_err() {
             self.put(&start);
         }
         moved
     }
 
-    /// As [`Self::displace`], but where the loops cannot be closed on a part `smallest` of the way the joints stay where they could be last.
+    /// As [`Self::displace`], but where the loops cannot be closed on a part `smallest` of the way, or are not at its end after `most` parts, the
+    /// joints stay where they could be last.
     ///
     /// # Errors
     /// As for [`Self::displace`].
-    pub(super) fn advance(&mut self, displacements: &[Vec2<f64>], smallest: f64) -> Result<(), AccuracyError> {
+    pub(super) fn advance(
+        &mut self,
+        displacements: &[Vec2<f64>],
+        smallest: f64,
+        most: usize,
+    ) -> Result<(), AccuracyError> {
         let start = self.displacements.clone();
-        let (mut reached, mut stride) = (0.0, 1.0);
+        let (mut reached, mut stride, mut parts) = (0.0, 1.0, 0);
         let mut last = self.place();
         let mut angles_rad = Vec::new();
         self.keep_angles(&mut angles_rad);
         while reached < 1.0 {
+            if parts == most {
+                self.put(&last);
+                return Err(AccuracyError::SingularWithPlay);
+            }
+            parts += 1;
             let share = f64::min(reached + stride, 1.0);
             let between: Vec<Vec2<f64>> = if share == 1.0 {
                 displacements.to_vec()

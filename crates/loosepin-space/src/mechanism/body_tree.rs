@@ -34,7 +34,7 @@ impl TreeJoint {
 pub struct BodyTree {
     /// Its joints, each after that of its parent.
     pub joints: Vec<TreeJoint>,
-    /// Numbers of the joints that close loops.
+    /// Numbers of the joints that are not in the tree: they close loops, or are between bodies that no joints connect with the ground.
     pub closing: Vec<usize>,
     /// The joint of the tree that moves each body.
     of_body: Vec<Option<usize>>,
@@ -81,12 +81,12 @@ impl BodyTree {
         tree
     }
 
-    /// The joint that moves a body, and which its branch comes through; `None` of the ground and of a body that hangs on no other.
+    /// The joint that moves a body, and which its branch comes through; `None` of the ground and of a body that no joints connect with it.
     pub fn joint_of(&self, body: usize) -> Option<&TreeJoint> {
         self.of_body.get(body).copied().flatten().map(|place| &self.joints[place])
     }
 
-    /// The first body that hangs on no other.
+    /// The first body that no joints connect with the ground.
     pub fn unconnected(&self) -> Option<usize> {
         self.of_body.iter().skip(1).position(Option::is_none).map(|place| place + 1)
     }
@@ -118,5 +118,51 @@ impl BodyTree {
             let closing = &mechanism.joints()[*number];
             self.apart([closing.bearing.body, closing.journal.body]).iter().flatten().any(|own| own == joint)
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kind::{Revolute, Spherical};
+    use crate::mechanism::body::Body;
+    use loosepin_math::{Pose, Vec3};
+
+    /// A loop of three bodies and the ground with one ball, and an arm on one of them.
+    fn mechanism() -> SpatialMechanism {
+        let marker = |body| Marker::new(body, Vec3::ZERO, Vec3::Z, Vec3::X).expect("axes at a right angle");
+        let body = |name: &str| Body::new(name, Pose::GROUND);
+        let joint = |name: &str, from, to| Joint::new(name, Revolute, marker(from), marker(to));
+        let joints = vec![
+            Joint::new("ball", Spherical, marker(1), marker(0)),
+            joint("one", 1, 2),
+            joint("two", 3, 2),
+            joint("three", 0, 3),
+            joint("arm", 2, 4),
+        ];
+        let bodies = vec![Body::ground(), body("one"), body("two"), body("three"), body("arm")];
+        SpatialMechanism::new(bodies, joints, Vec::new()).expect("it is sound")
+    }
+
+    #[test]
+    fn branches_are_short_or_stiff_and_loops_are_known() {
+        let mechanism = mechanism();
+        let names = |tree: &BodyTree, body| -> Vec<&str> {
+            tree.branch(body).iter().map(|own| mechanism.joints()[own.joint].name.as_str()).collect()
+        };
+        let short = BodyTree::of_short_branches(&mechanism);
+        assert_eq!((names(&short, 2), &short.closing[..]), (vec!["ball", "one"], &[2][..]));
+        let stiff = BodyTree::of_stiff_joints(&mechanism);
+        assert_eq!((names(&stiff, 4), &stiff.closing[..]), (vec!["three", "two", "arm"], &[0][..]));
+        let [arm, other] = stiff.apart([4, 1]).map(|branch| branch.iter().map(|own| own.child).collect::<Vec<_>>());
+        assert_eq!((arm, other), (vec![4], vec![1]));
+        for tree in [&short, &stiff] {
+            assert_eq!(tree.unconnected(), None);
+            let in_loop: Vec<usize> =
+                tree.joints.iter().filter(|own| tree.is_in_loop(&mechanism, own)).map(|own| own.child).collect();
+            assert!(in_loop.len() == 3 && !in_loop.contains(&4), "{in_loop:?}");
+        }
+        // The ball has its bearing on the far side.
+        assert!(short.joint_of(1).is_some_and(|own| own.is_reversed && own.sign() == -1.0));
     }
 }

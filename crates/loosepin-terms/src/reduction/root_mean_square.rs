@@ -12,7 +12,8 @@ impl RootMeanSquare {
 
 impl ReductionKind for RootMeanSquare {
     fn of(&self, course: &Course) -> f64 {
-        course.mean_square.max(0.0).sqrt()
+        // Below zero by round-off alone; what is no number stays none.
+        if course.mean_square < 0.0 { 0.0 } else { course.mean_square.sqrt() }
     }
 
     fn ends(&self, between: &CourseEnds) -> [f64; 2] {

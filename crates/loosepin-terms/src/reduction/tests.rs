@@ -14,7 +14,7 @@ fn course(curve: &[f64]) -> Course {
     }
 }
 
-/// Numbers from -2 to 2 in sixteenths.
+/// Numbers from -2 to 2 in sixteenths, by the high bits of the generator of D. Knuth's MMIX.
 fn drawn() -> impl FnMut() -> f64 {
     let mut state = 7_u64;
     move || {
@@ -38,13 +38,30 @@ fn identity_the_word_is_what_files_hold() {
 #[test]
 fn analytic_each_reduction_of_a_curve() {
     let of = |reduction: Reduction| reduction.of(&course(&[-3.0, 0.5, 2.0]));
-    assert_eq!(Reduction::ALL.map(of), [2.0, -3.0, 3.0, (13.25_f64 / 3.0).sqrt(), -0.5 / 3.0, 5.0]);
+    for (reduction, value) in [
+        (Reduction::Maximum, 2.0),
+        (Reduction::Minimum, -3.0),
+        (Reduction::MaximumAbsolute, 3.0),
+        (Reduction::RootMeanSquare, (13.25_f64 / 3.0).sqrt()),
+        (Reduction::Mean, -0.5 / 3.0),
+        (Reduction::Range, 5.0),
+    ] {
+        assert_eq!(of(reduction), value, "{reduction:?}");
+    }
+    let unknown = Course { largest: f64::NAN, smallest: f64::NAN, mean: f64::NAN, mean_square: f64::NAN };
+    assert!(Reduction::ALL.iter().all(|reduction| reduction.of(&unknown).is_nan()));
 }
 
 #[test]
 fn analytic_an_extreme_is_decided_by_the_end_that_it_is_about() {
-    let reaches = Reduction::ALL.map(|reduction| reduction.reach([-3.0, 2.0]));
-    assert_eq!(reaches, [Some(2.0), Some(3.0), Some(3.0), None, None, None]);
+    for (reduction, reach) in [
+        (Reduction::Maximum, Some(2.0)),
+        (Reduction::Minimum, Some(3.0)),
+        (Reduction::MaximumAbsolute, Some(3.0)),
+        (Reduction::Mean, None),
+    ] {
+        assert_eq!(reduction.reach([-3.0, 2.0]), reach, "{reduction:?}");
+    }
 }
 
 #[test]
@@ -59,7 +76,7 @@ fn identity_reductions_of_curves_are_in_the_order_that_is_stated() {
             }
         }
     }
-    assert_eq!(stated, 9);
+    assert!(stated >= 9, "{stated}");
 }
 
 #[test]

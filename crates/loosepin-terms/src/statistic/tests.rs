@@ -42,7 +42,7 @@ fn sorted(values: impl IntoIterator<Item = f64>) -> Vec<f64> {
 /// come closest to each other.
 fn drawn_samples() -> Vec<Vec<f64>> {
     let mut state = 1_u64;
-    // Numerical Recipes' linear congruential generator; its high bits are good enough here.
+    // The high bits of the generator of D. Knuth's MMIX.
     let mut draw = move |below: u64| {
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (state >> 33) % below

@@ -306,4 +306,23 @@ mod tests {
         let slider_crank = include_str!("../../../tests/files/mend/dead_centre.toml");
         assert_eq!(work(slider_crank).0, 3);
     }
+
+    /// A pantograph folded flat: all four pins in one line to 1e-9 rad. Whether loops close there is decided by round-off, also for parts of a
+    /// way of 1e-6 and less.
+    #[test]
+    fn a_walk_to_a_dead_centre_ends_where_only_the_shortest_parts_close() {
+        let text = include_str!("../../../tests/files/mend/folded_pantograph.toml");
+        let model = Model::from_text("model.toml", text).expect("the model is sound");
+        let values = model.quantities.nominal();
+        let mechanism = Mechanism::new(&model, &values).expect("it can be built");
+        let sample = Sample::new(&mechanism, &values).expect("the values fit");
+        let reaches = PlayReach::of_sample(&mechanism, &sample, sample.plays.iter().map(|_| 0.0)).expect("pins");
+        let ideal = IdealMotion::new(&mechanism, &sample.ideal, &sample.drives).expect("it closes");
+        let mut loops = DisplacedLoops::new(&mechanism, &values);
+        loops.set_position(ideal.coordinates());
+        let before = loops.newton_steps();
+        dead_centre(&mut loops, &reaches);
+        let steps = loops.newton_steps() - before;
+        assert!(steps > 0 && steps <= 5 * 128 * 12, "{steps}");
+    }
 }

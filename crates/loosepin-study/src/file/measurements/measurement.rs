@@ -163,8 +163,8 @@ pub(crate) enum FeatureWord {
 }
 
 /// Features in the words of study files.
-pub(crate) const FEATURES: [(&str, FeatureWord); 9] = {
-    let mut table = [("", FeatureWord::Order); 9];
+pub(crate) const FEATURES: [(&str, FeatureWord); Reduction::ALL.len() + 3] = {
+    let mut table = [("", FeatureWord::Order); Reduction::ALL.len() + 3];
     let mut place = 0;
     while place < Reduction::ALL.len() {
         table[place] = (Reduction::ALL[place].word(), FeatureWord::Reduced(Reduction::ALL[place]));
