@@ -31,7 +31,7 @@ pub use functions::whole_range::{full_range_exponential, full_range_logarithm, f
 pub use fused::with_vector_instructions;
 pub use geometry::{Frame, Pose, Quaternion, Rotation, Vec2, Vec3};
 pub use numbers::Numbers;
-pub use order::{places_in_order, sort_ascending, sort_by_number};
+pub use order::{in_order, number_of_key, order_key, places_in_order, sort_ascending, sort_by_number};
 pub use outlined::Outlined;
 pub use real::{Real, joined_all};
 pub use solve::dense::{

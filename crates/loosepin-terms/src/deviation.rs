@@ -1,10 +1,10 @@
-//! Deviations of an output, the list of them. Nobody else asks which deviation it is: they ask which motion it is of and what it counts from.
+//! Deviations of an output, the list of them. Nobody else asks which deviation it is: they ask whether play is in it and what it counts from.
 
 use serde::{Deserialize, Serialize};
 
-/// A motion of an output.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Motion {
+/// The motion that a deviation is of.
+#[derive(Clone, Copy)]
+enum Motion {
     /// With the play of the joints.
     WithPlay,
     /// Ideal, of the same parts.
@@ -39,8 +39,7 @@ macro_rules! deviations {
                 match self { $(Self::$name => $word,)* }
             }
 
-            /// The motion that it is of.
-            pub const fn motion(self) -> Motion {
+            const fn motion(self) -> Motion {
                 match self { $(Self::$name => Motion::$motion,)* }
             }
 
@@ -79,7 +78,7 @@ impl Deviation {
 
     /// Whether it is the output itself, and no deviation.
     pub const fn is_value(self) -> bool {
-        matches!((self.motion(), self.reference()), (Motion::WithPlay, Reference::Zero))
+        matches!(self.reference(), Reference::Zero)
     }
 
     /// Whether it counts from the ideal motion with the dimensions of the drawing, not from that of the same mechanism without clearance.
@@ -94,20 +93,22 @@ impl Deviation {
 
     /// Whether play alone makes it: part scatter does not move what it counts from.
     pub const fn is_by_play_alone(self) -> bool {
-        matches!((self.motion(), self.reference()), (Motion::WithPlay, Reference::SameParts))
+        matches!(self.reference(), Reference::SameParts)
     }
 
     /// Whether the ideal motion of the parts as they are has a part in it.
     pub const fn needs_own_ideal(self) -> bool {
-        !self.has_play() || matches!(self.reference(), Reference::SameParts)
+        !self.has_play() || self.is_by_play_alone()
     }
 
     /// What makes it, in words; `None` where all of it is meant.
     pub const fn cause(self) -> Option<&'static str> {
-        match (self.motion(), self.reference()) {
-            (Motion::WithPlay, Reference::Zero | Reference::NominalParts) => None,
-            (Motion::WithPlay, Reference::SameParts) => Some("play"),
-            (Motion::WithoutPlay, _) => Some("part scatter"),
+        if self.is_by_play_alone() {
+            Some("play")
+        } else if self.has_play() {
+            None
+        } else {
+            Some("part scatter")
         }
     }
 
@@ -119,10 +120,7 @@ impl Deviation {
         own: impl FnOnce() -> f64 + Copy,
         nominal: impl FnOnce() -> f64,
     ) -> f64 {
-        let value = match self.motion() {
-            Motion::WithPlay => with_play(),
-            Motion::WithoutPlay => own(),
-        };
+        let value = if self.has_play() { with_play() } else { own() };
         match self.reference() {
             Reference::Zero => value,
             Reference::SameParts => value - own(),

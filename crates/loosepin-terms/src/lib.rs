@@ -1,6 +1,8 @@
 //! Terms of an answer. Each is one type from the computation to the file, the page and Python, with the word that names it there.
 
 mod deviation;
+#[cfg(test)]
+mod drawn;
 mod guarantee;
 mod purpose;
 mod reading;
@@ -10,7 +12,7 @@ mod statistic;
 mod surrogate_verdict;
 mod treatment;
 
-pub use deviation::{Deviation, Motion, Reference};
+pub use deviation::{Deviation, Reference};
 pub use guarantee::Guarantee;
 pub use purpose::Purpose;
 pub use reading::Reading;

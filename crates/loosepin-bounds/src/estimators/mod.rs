@@ -3,7 +3,6 @@
 
 pub(crate) mod estimate;
 pub(crate) mod gathered;
-pub(crate) mod in_order;
 pub(crate) mod index;
 pub(crate) mod known;
 pub(crate) mod mean_error;

@@ -1,7 +1,7 @@
 //! Order statistics of a sample around a quantile.
 
-use super::in_order::{key, value};
 use super::ordered::Ordered;
+use loosepin_math::{number_of_key, order_key};
 
 /// Those within so many standard deviations of the count below a quantile, and so many more, are put in order at once.
 const DEVIATIONS: f64 = 4.0;
@@ -29,7 +29,7 @@ impl<'a> OrderStatistics<'a> {
             return Self::Whole(sorted);
         }
         let sample = ordered.sample;
-        let mut keys: Vec<i64> = sample.values().iter().map(|&value| key(value)).collect();
+        let mut keys: Vec<i64> = sample.values().iter().map(|&value| order_key(value)).collect();
         let (runs, finished) = (sample.runs() as f64, keys.len() as f64);
         let reach = DEVIATIONS * (runs * probability * (1.0 - probability)).sqrt() + MORE;
         // Failed runs may all lie below.
@@ -68,7 +68,7 @@ impl PartlySorted {
             self.keys.sort_unstable();
             (self.first, self.behind) = (0, self.keys.len());
         }
-        value(self.keys[index])
+        number_of_key(self.keys[index])
     }
 }
 

@@ -45,9 +45,9 @@ impl<'a> Ordered<'a> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::in_order::in_order;
     use super::super::sample::Sample;
     use super::Ordered;
+    use loosepin_math::in_order;
     use loosepin_uncertainty::hash;
 
     #[test]

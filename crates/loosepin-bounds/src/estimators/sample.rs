@@ -4,13 +4,13 @@ use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
 use super::estimate::PowerSums;
-use super::in_order::in_order;
 use super::known::SampleCache;
 use super::polynomials::known_fits::FitCache;
 use super::polynomials::smooth::Smooth;
 use super::stratification;
 use super::unsampled_events::UnsampledEvents;
 use crate::data::scratch::{FileRange, Numbers};
+use loosepin_math::in_order;
 
 /// The values of one column that belong together, in the order of the plan.
 #[derive(Debug, Clone)]

@@ -17,13 +17,13 @@
 //! Where single runs show a rare event that no run of the sample does ([`super::unsampled_events`]), what it may do to S is added.
 
 use super::estimate::{Confidence, Estimate, FailureExtremes, mean_of, skewness, variance_of_mean};
-use super::in_order::in_order;
 use super::known::{SampleQuery, SampleResult};
 use super::mean_error::{extrapolated_extreme, tail_length};
 use super::ordered::Ordered;
 use super::sample::Sample;
 use super::tail::index_for_mean_square;
 use super::unsampled_events::UnsampledEvents;
+use loosepin_math::in_order;
 use loosepin_math::sort_by_number;
 use loosepin_terms::Statistic;
 

@@ -2,11 +2,11 @@
 
 use super::measure::{Estimator, Measure, Measured};
 use crate::estimators::estimate::{Confidence, FailureExtremes};
-use crate::estimators::in_order::in_order;
 use crate::estimators::ordered::Ordered;
 use crate::estimators::replicates::differences;
 use crate::estimators::sample::Sample;
 use crate::estimators::sampled::{sampled, sampled_of_ordered};
+use loosepin_math::in_order;
 use loosepin_terms::Statistic;
 
 /// A statistic that has no estimator of its own; it lies where it states that it does.

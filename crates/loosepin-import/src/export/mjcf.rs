@@ -96,8 +96,7 @@ fn at_start(export: &Export<'_>, own: &TreeJoint) -> Frame {
     let (angle_rad, slide_m) = coordinates(export, joint);
     let axis = Vec3::Z * angle_rad;
     let moved = Frame { origin_m: Vec3::Z * slide_m, axes: Quaternion::from_rotation_vector(axis).rotation() };
-    let [bearing, journal] =
-        [&joint.bearing, &joint.journal].map(|marker| Frame { origin_m: marker.point_m, axes: marker.axes });
+    let [bearing, journal] = [&joint.bearing, &joint.journal].map(Frame::from);
     let at = bearing.compose(&moved).compose(&journal.inverse());
     if own.is_reversed { at.inverse() } else { at }
 }
@@ -140,8 +139,7 @@ fn joints(export: &Export<'_>, own: &TreeJoint, at: &Frame) -> Result<Vec<Elemen
 
 /// Angle from x of the bearing to x of the journal about z, and place of the journal along z, at time zero.
 fn coordinates(export: &Export<'_>, joint: &Joint) -> (f64, f64) {
-    let frame =
-        |marker: &Marker| export.frames[marker.body].compose(&Frame { origin_m: marker.point_m, axes: marker.axes });
+    let frame = |marker: &Marker| export.frames[marker.body].compose(&Frame::from(marker));
     let (bearing, journal) = (frame(&joint.bearing), frame(&joint.journal));
     let angle = libm::atan2(bearing.axes.y.dot(journal.axes.x), bearing.axes.x.dot(journal.axes.x));
     let slide = bearing.axes.z.dot(journal.origin_m - bearing.origin_m);

@@ -1,6 +1,6 @@
 //! A robot as its description has it: links on the ground, joints between frames of them. The frame of a link is that of its file.
 
-use super::frame::about;
+use super::turns::about;
 use loosepin_space::{Frame, Rotation, Vec3};
 
 /// The number of the link that is the ground.

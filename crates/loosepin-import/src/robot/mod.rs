@@ -3,7 +3,7 @@
 //! | Step | File |
 //! |---|---|
 //! | elements, attributes and numbers with their places | `xml.rs` |
-//! | turns as descriptions write them, frames | `frame.rs` |
+//! | turns as descriptions write them | `turns.rs` |
 //! | what a description says, the same for both formats | `description.rs` |
 //! | URDF | `urdf.rs` |
 //! | MJCF | `mjcf` |
@@ -14,7 +14,6 @@
 
 mod description;
 mod drives;
-mod frame;
 mod import;
 mod mechanism;
 mod mjcf;
@@ -23,11 +22,12 @@ mod model_text;
 mod names;
 mod numbers;
 mod problem;
+mod turns;
 mod urdf;
 mod xml;
 
-pub(crate) use frame::of_roll_pitch_yaw;
 pub use import::import_robot;
 pub(crate) use names::Names;
 pub(crate) use numbers::number;
 pub use problem::RobotProblem;
+pub(crate) use turns::of_roll_pitch_yaw;

@@ -2,9 +2,9 @@
 
 use super::description::{GROUND, JointSide, Robot, RobotJoint, RobotJointKind, most_across};
 use super::drives::{CYCLE_S, Course, PlannedDrive, TURN_RPM};
-use super::frame::of_roll_pitch_yaw;
 use super::model_names::ModelNames;
 use super::numbers::{angle, direction, length, lengths, number, shifted, word};
+use super::turns::of_roll_pitch_yaw;
 use crate::toml_text::quoted;
 use loosepin_space::{Vec3, is_inertia};
 use std::fmt::Write;

@@ -4,8 +4,8 @@
 //! about x first, then pitch about y, then yaw about z; the axis of a joint is in the frame of the joint, which is that of its child.
 
 use super::description::{GROUND, Inertial, JointSide, Link, Robot, RobotJoint, RobotJointKind};
-use super::frame::{roll_pitch_yaw, turned_inertia};
 use super::problem::RobotProblem;
+use super::turns::{roll_pitch_yaw, turned_inertia};
 use super::xml::Element;
 use loosepin_space::{Frame, Vec3};
 use loosepin_text::diagnostics::Diagnostics;

@@ -42,7 +42,7 @@ pub use inputs::{
 };
 
 pub use loosepin_terms::{
-    Course, CourseEnds, Deviation, Event, Guarantee, Motion, NumberKind, Purpose, Reading, Reduction, Reference, Side,
+    Course, CourseEnds, Deviation, Event, Guarantee, NumberKind, Purpose, Reading, Reduction, Reference, Side,
     Statistic, SurrogateVerdict, Treatment,
 };
 pub use path_error::PathError;

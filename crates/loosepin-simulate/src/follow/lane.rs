@@ -7,7 +7,7 @@ use super::plan::{DeviationRange, Findings, FollowedRun};
 use crate::ideal::curve::{IdealCurve, Piece};
 use crate::settings::Window;
 use loosepin_math::Quintic;
-use loosepin_result::study::{Deviation, Motion, Reference};
+use loosepin_result::study::{Deviation, Reference};
 use std::sync::Arc;
 
 /// References of one run, and its findings so far.
@@ -103,13 +103,12 @@ impl LaneFollow {
             Reference::SameParts => of_curve(own),
             Reference::NominalParts => of_curve(nominal),
         };
-        let coefficients = match of.motion() {
-            Motion::WithPlay => reference,
+        let coefficients = if of.has_play() {
+            reference
+        } else {
             // The curve is what the deviation is, not what it is compared with.
-            Motion::WithoutPlay => {
-                let own = of_curve(own);
-                std::array::from_fn(|k| own[k] - reference[k])
-            }
+            let own = of_curve(own);
+            std::array::from_fn(|k| own[k] - reference[k])
         };
         Quintic { coefficients }
     }

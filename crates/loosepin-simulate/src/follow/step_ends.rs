@@ -1,7 +1,7 @@
 //! The ends of a step, and deviations there.
 
 use loosepin_math::Real;
-use loosepin_result::study::{Deviation, Motion};
+use loosepin_result::study::Deviation;
 
 /// Gauss's points and weights on [0, 1] for integrals over a step: exact to degree five.
 pub const GAUSS: [(f64, f64); 3] =
@@ -32,14 +32,11 @@ pub(super) fn deviation_at<T: Real>(
     // d/ds = w d/dt, d²/ds² = w² d²/dt² + w' d/dt.
     let [value, rate, acceleration] = reference;
     let over_step = [value, rate * time[1], acceleration * time[1] * time[1] + rate * time[2]];
-    match of.motion() {
-        Motion::WithPlay if of.is_value() => reading(),
-        Motion::WithPlay => {
-            let actual = reading();
-            [0, 1, 2].map(|k| actual[k] - over_step[k])
-        }
-        Motion::WithoutPlay => over_step,
+    if !of.has_play() {
+        return over_step;
     }
+    let actual = reading();
+    if of.is_value() { actual } else { [0, 1, 2].map(|k| actual[k] - over_step[k]) }
 }
 
 /// The first numbers.

@@ -36,7 +36,7 @@ impl ChainSample {
         for joint in path {
             let own = &mechanism.joints()[joint.joint];
             let given = markers.and_then(|markers| markers.get(joint.joint));
-            let [bearing, journal] = given.unwrap_or(&[own.bearing, own.journal]).each_ref().map(placed);
+            let [bearing, journal] = given.unwrap_or(&[own.bearing, own.journal]).each_ref().map(Frame::from);
             let (near, far) = if joint.is_reversed { (journal, bearing) } else { (bearing, journal) };
             let lean = Lean::new(&shifts[joint.joint]);
             links.push(Link { before: before.compose(&near), lean, is_reversed: joint.is_reversed });
@@ -56,8 +56,4 @@ impl ChainSample {
         }
         at.compose(&self.after)
     }
-}
-
-fn placed(marker: &Marker) -> Frame {
-    Frame { axes: marker.axes, origin_m: marker.point_m }
 }

@@ -56,25 +56,22 @@ impl BodyTree {
     fn new(mechanism: &SpatialMechanism, rank: impl Fn(&Joint, usize) -> usize) -> Self {
         let bodies = mechanism.bodies().len();
         let mut tree = Self { joints: Vec::new(), closing: Vec::new(), of_body: vec![None; bodies] };
-        let mut place = vec![None; bodies];
-        if let Some(ground) = place.first_mut() {
-            *ground = Some(0);
-        }
         loop {
+            // The ground is the first, and each joint of the tree brings the next one.
+            let place = |body: usize| if body == 0 { Some(0) } else { tree.of_body[body].map(|joint| joint + 1) };
             let open = mechanism.joints().iter().enumerate().filter_map(|(number, joint)| {
                 let [bearing, journal] = [joint.bearing.body, joint.journal.body];
-                let (parent, child, is_reversed) = match [place[bearing], place[journal]] {
+                let (parent, child, is_reversed) = match [place(bearing), place(journal)] {
                     [Some(_), None] => (bearing, journal, false),
                     [None, Some(_)] => (journal, bearing, true),
                     _ => return None,
                 };
-                Some((rank(joint, place[parent]?), TreeJoint { joint: number, parent, child, is_reversed }))
+                Some((rank(joint, place(parent)?), TreeJoint { joint: number, parent, child, is_reversed }))
             });
             // The first of the least.
             let Some((_, next)) = open.min_by_key(|(rank, joint)| (*rank, joint.joint)) else { break };
             tree.of_body[next.child] = Some(tree.joints.len());
             tree.joints.push(next);
-            place[next.child] = Some(tree.joints.len());
         }
         let is_closing = |number: &usize| tree.joints.iter().all(|own| own.joint != *number);
         tree.closing = (0..mechanism.joints().len()).filter(is_closing).collect();
@@ -88,7 +85,7 @@ impl BodyTree {
 
     /// The first body that no joints connect with the ground.
     pub fn unconnected(&self) -> Option<usize> {
-        self.of_body.iter().skip(1).position(Option::is_none).map(|place| place + 1)
+        (1..self.of_body.len()).find(|body| self.of_body[*body].is_none())
     }
 
     /// The joints from the ground to a body.

@@ -1,6 +1,6 @@
 //! A point and three axes on a body.
 
-use loosepin_math::{Pose, Rotation, Vec3};
+use loosepin_math::{Frame, Pose, Rotation, Vec3};
 
 /// A point with orthonormal axes, fixed to a body.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,6 +37,13 @@ impl Marker {
         let turn = pose.orientation.rotation();
         let local = |vector| turn.apply_transposed(vector);
         Self::new(body, local(point_m - pose.position_m), local(z_axis), local(x_axis))
+    }
+}
+
+impl From<&Marker> for Frame {
+    /// The marker's frame in that of its body.
+    fn from(marker: &Marker) -> Self {
+        Self { origin_m: marker.point_m, axes: marker.axes }
     }
 }
 

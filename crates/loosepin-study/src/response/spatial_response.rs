@@ -22,7 +22,7 @@ use crate::response::problem::PrepareError;
 use crate::response::recent_ends::{EndsOfSample, RecentEnds};
 use loosepin_math::sort_ascending;
 use loosepin_mechanics::model::CycleSpan;
-use loosepin_result::study::{Motion, Reference};
+use loosepin_result::study::Reference;
 use loosepin_simulate::RunFailure;
 use loosepin_space::{
     AccuracyError, PlayDistribution, PlaySide, SampledPart, SamplingError, SpatialModel, TurnSample, TurnSampler,
@@ -239,20 +239,18 @@ impl SpatialResponse {
     /// The ends of a part at a place.
     fn ends_at(&self, sample: &TurnSample, part: usize, place: usize, of: Deviation) -> Ends {
         let own = part * self.turns.len() + place;
-        match (of.motion(), of.reference()) {
-            (Motion::WithPlay, Reference::Zero) => Ends {
+        if !of.has_play() {
+            return Ends::of(sample.from_nominal_si[own]);
+        }
+        match of.reference() {
+            Reference::Zero => Ends {
                 lower: sample.ideal_si[own] + sample.smallest_si[own],
                 upper: sample.ideal_si[own] + sample.largest_si[own],
             },
-            (Motion::WithPlay, Reference::SameParts) => {
-                Ends { lower: sample.smallest_si[own], upper: sample.largest_si[own] }
-            }
-            (Motion::WithPlay, Reference::NominalParts) => {
+            Reference::SameParts => Ends { lower: sample.smallest_si[own], upper: sample.largest_si[own] },
+            Reference::NominalParts => {
                 Ends { lower: sample.smallest_from_nominal_si[own], upper: sample.largest_from_nominal_si[own] }
             }
-            (Motion::WithoutPlay, Reference::Zero) => Ends::of(sample.ideal_si[own]),
-            (Motion::WithoutPlay, Reference::SameParts) => Ends::of(0.0),
-            (Motion::WithoutPlay, Reference::NominalParts) => Ends::of(sample.from_nominal_si[own]),
         }
     }
 

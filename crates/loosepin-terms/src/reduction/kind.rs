@@ -1,4 +1,4 @@
-//! Interface of a reduction. Whoever reduces curves asks for these properties, never for a reduction by its name.
+//! Interface of a reduction. What reduces curves asks for these properties, never for a reduction by its name.
 
 use std::any::Any;
 

@@ -1,6 +1,7 @@
 //! What every reduction states of itself, held against drawn curves: a new one is in the list, and so in these tests.
 
 use super::{Course, CourseEnds, Reduction};
+use crate::drawn::drawn;
 
 const ROUND_OFF: f64 = 1e-12;
 
@@ -14,18 +15,10 @@ fn course(curve: &[f64]) -> Course {
     }
 }
 
-/// Numbers from -2 to 2 in sixteenths, by the high bits of the generator of D. Knuth's MMIX.
-fn drawn() -> impl FnMut() -> f64 {
-    let mut state = 7_u64;
-    move || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        ((state >> 33) % 65) as f64 / 16.0 - 2.0
-    }
-}
-
+/// Of numbers from -2 to 2 in sixteenths.
 fn curves() -> Vec<Vec<f64>> {
-    let mut draw = drawn();
-    (0..400).map(|number| (0..1 + number % 7).map(|_| draw()).collect()).collect()
+    let mut draw = drawn(7);
+    (0..400).map(|number| (0..1 + number % 7).map(|_| draw(65) as f64 / 16.0 - 2.0).collect()).collect()
 }
 
 #[test]

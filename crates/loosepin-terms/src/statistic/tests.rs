@@ -2,6 +2,7 @@
 
 use super::standard_deviation::StandardDeviation;
 use super::{ErrorEffect, Form, Mirrored, Number, NumberKind, Statistic, StatisticKind};
+use crate::drawn::drawn;
 
 /// All values have the same weight. Most are small and one is large: the mean lies beyond the upper quantile.
 const SAMPLE: [f64; 10] = [-1.5, -0.25, 0.125, 0.5, 0.75, 0.875, 1.25, 1.5, 1.75, 400.0];
@@ -41,12 +42,7 @@ fn sorted(values: impl IntoIterator<Item = f64>) -> Vec<f64> {
 /// Drawn samples of one to ten values. Those of every second one are -1, 0 and 1, so that many are equal: that is where statistics
 /// come closest to each other.
 fn drawn_samples() -> Vec<Vec<f64>> {
-    let mut state = 1_u64;
-    // The high bits of the generator of D. Knuth's MMIX.
-    let mut draw = move |below: u64| {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 33) % below
-    };
+    let mut draw = drawn(1);
     let of_number = |number: usize| {
         let count = 1 + draw(10);
         sorted((0..count).map(|_| match number % 2 {

@@ -1,8 +1,8 @@
 //! Turns of frames: `quat`, `axisangle`, `euler`, `xyaxes` and `zaxis`.
 
 use super::compiler::Compiler;
-use crate::robot::frame::{about, clean};
 use crate::robot::problem::RobotProblem;
+use crate::robot::turns::{about, clean};
 use crate::robot::xml::Attribute;
 use loosepin_space::{Frame, Quaternion, Rotation, Vec3};
 use loosepin_text::diagnostics::Diagnostics;

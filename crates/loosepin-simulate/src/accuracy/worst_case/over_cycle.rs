@@ -269,32 +269,54 @@ mod tests {
     /// Thirteen pins, each held by a guide and by its hole: 13 constraints too many.
     const STRIKERS: &str = include_str!("../../../tests/files/mend/slow_motion.toml");
 
-    /// Work on one position of a model: proofs that were tried, and Newton steps for one displacement that no loop can follow.
-    fn work(text: &str) -> (usize, usize) {
+    /// A model, its values, the reaches of its plays and its coordinates in the ideal position.
+    struct AtStart<'a> {
+        mechanism: &'a Mechanism,
+        values: &'a Values,
+        reaches: &'a [PlayReach],
+        coordinates: Vec<f64>,
+    }
+
+    impl AtStart<'_> {
+        fn loops(&self) -> DisplacedLoops<'_> {
+            let mut loops = DisplacedLoops::new(self.mechanism, self.values);
+            loops.set_position(&self.coordinates);
+            loops
+        }
+    }
+
+    fn at_start<R>(text: &str, of: impl FnOnce(AtStart<'_>) -> R) -> R {
         let model = Model::from_text("model.toml", text).expect("the model is sound");
         let values = model.quantities.nominal();
         let mechanism = Mechanism::new(&model, &values).expect("it can be built");
         let sample = Sample::new(&mechanism, &values).expect("the values fit");
         let reaches = PlayReach::of_sample(&mechanism, &sample, sample.plays.iter().map(|_| 0.0)).expect("pins");
         let ideal = IdealMotion::new(&mechanism, &sample.ideal, &sample.drives).expect("it closes");
-        let readings: Vec<Position> =
-            crate::accuracy::position_outputs(&mechanism).into_iter().map(|output| output.reading).collect();
-        let cycle = CycleOfPositions {
-            mechanism: &mechanism,
-            values: &values,
-            reaches: &reaches,
-            readings: &readings,
-            coordinates: vec![ideal.coordinates(); 3],
-            driven_steps: None,
-        };
-        let output = WeightedOutput { weights: vec![vec![(0, 1.0)]; 3], path: None };
-        let worst = worst_over_cycle(&cycle, &[output], &|| false).expect("nobody stops it");
-        let mut loops = DisplacedLoops::new(&mechanism, &values);
-        loops.set_position(ideal.coordinates());
-        let borders = starts_on_borders(&reaches);
-        let before = loops.newton_steps();
-        let _ = loops.displace(&borders[1]);
-        (worst.proofs, loops.newton_steps() - before)
+        let coordinates = ideal.coordinates().to_vec();
+        of(AtStart { mechanism: &mechanism, values: &values, reaches: &reaches, coordinates })
+    }
+
+    /// Work on one position of a model: proofs that were tried, and Newton steps for one displacement that no loop can follow.
+    fn work(text: &str) -> (usize, usize) {
+        at_start(text, |at| {
+            let readings: Vec<Position> =
+                crate::accuracy::position_outputs(at.mechanism).into_iter().map(|output| output.reading).collect();
+            let cycle = CycleOfPositions {
+                mechanism: at.mechanism,
+                values: at.values,
+                reaches: at.reaches,
+                readings: &readings,
+                coordinates: vec![&at.coordinates; 3],
+                driven_steps: None,
+            };
+            let output = WeightedOutput { weights: vec![vec![(0, 1.0)]; 3], path: None };
+            let worst = worst_over_cycle(&cycle, &[output], &|| false).expect("nobody stops it");
+            let mut loops = at.loops();
+            let borders = starts_on_borders(at.reaches);
+            let before = loops.newton_steps();
+            let _ = loops.displace(&borders[1]);
+            (worst.proofs, loops.newton_steps() - before)
+        })
     }
 
     #[test]
@@ -311,18 +333,12 @@ mod tests {
     /// way of 1e-6 and less.
     #[test]
     fn a_walk_to_a_dead_centre_ends_where_only_the_shortest_parts_close() {
-        let text = include_str!("../../../tests/files/mend/folded_pantograph.toml");
-        let model = Model::from_text("model.toml", text).expect("the model is sound");
-        let values = model.quantities.nominal();
-        let mechanism = Mechanism::new(&model, &values).expect("it can be built");
-        let sample = Sample::new(&mechanism, &values).expect("the values fit");
-        let reaches = PlayReach::of_sample(&mechanism, &sample, sample.plays.iter().map(|_| 0.0)).expect("pins");
-        let ideal = IdealMotion::new(&mechanism, &sample.ideal, &sample.drives).expect("it closes");
-        let mut loops = DisplacedLoops::new(&mechanism, &values);
-        loops.set_position(ideal.coordinates());
-        let before = loops.newton_steps();
-        dead_centre(&mut loops, &reaches);
-        let steps = loops.newton_steps() - before;
+        let steps = at_start(include_str!("../../../tests/files/mend/folded_pantograph.toml"), |at| {
+            let mut loops = at.loops();
+            let before = loops.newton_steps();
+            dead_centre(&mut loops, at.reaches);
+            loops.newton_steps() - before
+        });
         assert!(steps > 0 && steps <= 5 * 128 * 12, "{steps}");
     }
 }

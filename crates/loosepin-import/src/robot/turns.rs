@@ -7,7 +7,7 @@ use loosepin_space::{Rotation, Vec3};
 const ROUND_OFF: f64 = 4e-16;
 
 fn without_round_off(vector: Vec3) -> Vec3 {
-    Vec3::from(vector.to_array().map(|component| if component.abs() <= ROUND_OFF { 0.0 } else { component }))
+    vector.map(|component| if component.abs() <= ROUND_OFF { 0.0 } else { component })
 }
 
 /// The turn with components at the size of round-off taken as zero.
