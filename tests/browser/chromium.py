@@ -1,6 +1,7 @@
 """A small client of headless Chromium over its DevTools pipe: standard library only."""
 
 import base64
+import contextlib
 import json
 import os
 import shutil
@@ -52,10 +53,7 @@ class Chromium:
         self.events = []
         self.are_scripts_run = True
         target = next(t for t in self._until(self._page_targets))
-        self.session = self.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
-        for domain in ("Page", "Runtime", "Log", "Network"):
-            self.call(f"{domain}.enable")
-        self.call("Page.setLifecycleEventsEnabled", enabled=True)
+        self._attach(target)
 
     def __enter__(self):
         return self
@@ -77,6 +75,27 @@ class Chromium:
     def _page_targets(self):
         infos = self.call("Target.getTargets")["targetInfos"]
         return [info["targetId"] for info in infos if info["type"] == "page"]
+
+    def _attach(self, target):
+        """Commands go to this tab from now on."""
+        self.session = self.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
+        for domain in ("Page", "Runtime", "Log", "Network"):
+            self.call(f"{domain}.enable")
+        self.call("Page.setLifecycleEventsEnabled", enabled=True)
+
+    @contextlib.contextmanager
+    def another_tab(self, url):
+        """A second tab with a page that is there; commands go to it until the end of the block."""
+        first = self.session
+        # An empty page first: a page that is on its way has no place yet where an expression could be evaluated.
+        target = self.call("Target.createTarget", url="about:blank")["targetId"]
+        try:
+            self._attach(target)
+            self._navigate(url)
+            yield
+        finally:
+            self.session = first
+            self.call("Target.closeTarget", targetId=target)
 
     def _until(self, condition):
         """What `condition` returns as soon as it is true."""

@@ -65,21 +65,15 @@ def test_a_second_tab_does_not_take_what_the_first_one_has_not_saved(studio):  #
     studio.take("rank, coupler and rocker")
     studio.type_number("crank_length", "83 mm")
     wait_until_kept(studio.folder, "83 mm")
-    tab, first = studio.browser, studio.browser.session
-    target = tab.call("Target.createTarget", url=studio.address)["targetId"]
-    try:
-        tab.session = tab.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
+    with studio.browser.another_tab(studio.address):
         studio.wait("document.querySelectorAll('button.card').length === 25")
-        tab.evaluate(EDIT)
+        studio.browser.evaluate(EDIT)
         studio.wait(f"{NOTICES}.includes('Another tab has changes of these texts')")
         studio.wait(has_number("crank_length", "80 mm"))
         # It has changes of its own, which replace none.
         studio.type_number("crank_length", "77 mm")
         wait_until_kept(studio.folder, "77 mm")
         assert len(kept(studio.folder)) == 2
-    finally:
-        tab.session = first
-        tab.call("Target.closeTarget", targetId=target)
     assert studio.number("crank_length") == "83 mm"
     # A reload is the same tab.
     studio.browser.reload()

@@ -242,18 +242,12 @@ def test_a_save_in_another_tab_is_no_alarm(studio):
     browser = studio.browser
     # The looks of this tab have told the server which files it has.
     time.sleep(1.2)
-    first = browser.session
-    target = browser.call("Target.createTarget", url=studio.address)["targetId"]
-    try:
-        browser.session = browser.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
+    with browser.another_tab(studio.address):
         studio.wait("document.querySelectorAll('button.card').length === 25")
         browser.evaluate("(location.hash = '#/edit/four-bar/study.toml', true)")
         studio.wait("document.querySelector('svg.chart') && document.querySelector('.field')")
         studio.type_number("crank_length", "90 mm")
         assert 'crank_length = "90 mm"' in studio.saved("four-bar")[0]
-    finally:
-        browser.session = first
-        browser.call("Target.closeTarget", targetId=target)
     studio.wait(IN_ANOTHER_TAB)
     assert not browser.evaluate(CHANGED) and studio.number("crank_length") == "80 mm"
     studio.click("button", "Load the version on disk")

@@ -98,6 +98,7 @@ mod tests {
         sort_ascending(&mut ours);
         expected.sort_by(f64::total_cmp);
         assert_eq!(bits(&ours), bits(&expected));
+        assert_eq!(bits(&in_order(NUMBERS.into_iter())), bits(&expected));
         assert_eq!(
             bits(&places_in_order(&NUMBERS).into_iter().map(|place| NUMBERS[place]).collect::<Vec<_>>()),
             bits(&expected)
