@@ -211,14 +211,18 @@ fn run(mechanism: &Mechanism, tried: &TrialResult) -> Section {
 
 /// What the first motion showed.
 fn ending_words(mechanism: &Mechanism, tried: &TrialResult) -> String {
-    match (mechanism.is_driven(), tried.is_run) {
-        (true, true) => "The loops close over the whole cycle, and the first steps of the run succeed.".to_owned(),
-        (false, true) => "The first steps of the run succeed.".to_owned(),
-        (_, false) if !mechanism.model.missing_for_runs.is_empty() => {
-            "The loops close over the whole cycle.".to_owned()
+    let closing = match tried.left_after_turns {
+        None => "The loops close over the whole cycle".to_owned(),
+        Some(turns) => {
+            format!("The loops close over the first {turns:.1e} turns; a drive is so fast that they were not followed further")
         }
+    };
+    match (mechanism.is_driven(), tried.is_run) {
+        (true, true) => format!("{closing}, and the first steps of the run succeed."),
+        (false, true) => "The first steps of the run succeed.".to_owned(),
+        (_, false) if !mechanism.model.missing_for_runs.is_empty() => format!("{closing}."),
         (is_driven, false) => {
-            let closing = if is_driven { "The loops close over the whole cycle. " } else { "" };
+            let closing = if is_driven { format!("{closing}. ") } else { String::new() };
             let size = mechanism.real.free;
             format!("{closing}The run was not tested: its equations of motion for {size} coordinates take too long.")
         }

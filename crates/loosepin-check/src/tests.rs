@@ -222,6 +222,59 @@ fn a_chain_whose_equations_are_too_long_is_described_without_a_run() {
     );
 }
 
+/// An arm on an arm that turns once a second, and shakes fifty thousand times in it.
+const SHAKEN: &str = r#"
+name = "shaken arm"
+gravity = "0 m/s^2"
+[body.ground]
+points = { o = ["0 mm", "0 mm"] }
+[body.arm]
+mass = "0.7 kg"
+inertia = "2e-3 kg m^2"
+centre_of_mass = ["40 mm", "0 mm"]
+points = { p = ["0 mm", "0 mm"], q = ["90 mm", "0 mm"] }
+[body.hand]
+mass = "0.7 kg"
+inertia = "2e-3 kg m^2"
+centre_of_mass = ["40 mm", "0 mm"]
+points = { p = ["0 mm", "0 mm"], q = ["90 mm", "0 mm"] }
+[joint.shoulder]
+kind = "revolute"
+bearing = "ground.o"
+journal = "arm.p"
+[joint.wrist]
+kind = "revolute"
+bearing = "arm.q"
+journal = "hand.p"
+[drive.turn]
+joint = "shoulder"
+speed = "60 rpm"
+start_angle = "0 deg"
+[drive.shake]
+joint = "wrist"
+motion = { kind = "harmonic", mean = "0 deg", amplitude = "1 rad", frequency = "5e4 Hz", phase = "0 deg" }
+[cycle]
+drive = "turn"
+transient_turns = 0
+recorded_turns = 1
+samples_per_turn = 36
+[output.tip]
+position_of = "hand.q"
+along = "x"
+"#;
+
+#[test]
+fn a_cycle_with_too_many_steps_is_followed_in_part_and_has_no_motion() {
+    // By hand: the wrist turns at 2 pi 5e4 rad/s at most, in steps of 0.2 rad and of a fifth of the mechanism, which has 90 mm: 1.75e7 a turn,
+    // of which 3e5 are 1.7e-2.
+    let text = said(SHAKEN);
+    let expected = "\nThe loops close over the first 1.7e-2 turns; a drive is so fast that they were not followed further, and the first steps of \
+                    the run succeed.\n";
+    assert!(text.ends_with(expected), "{text}");
+    let slower = said(&SHAKEN.replace("5e4 Hz", "50 Hz"));
+    assert!(slower.ends_with("\nThe loops close over the whole cycle, and the first steps of the run succeed.\n"), "{slower}");
+}
+
 #[test]
 fn more_turns_than_a_run_can_have_are_refused_with_play_and_without() {
     let text = case_text("slider_crank_5000", "model.toml");

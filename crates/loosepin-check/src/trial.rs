@@ -14,8 +14,8 @@ const MIN_POSITIONS_PER_TURN: f64 = 36.0;
 const POSITIONS_TIMES_SQUARES: f64 = 5e7;
 /// Turns that are looked at, at most: later ones repeat them unless several drives differ in speed.
 const MAX_TURNS: f64 = 20.0;
-/// Turns of the fastest drive that are looked at, at most: a second drive may be very much faster than the one that counts.
-const MAX_TURNS_OF_THE_FASTEST: f64 = 1000.0;
+/// Steps along the motion that are made, at most: a second drive may be very much faster than the one that counts.
+const MAX_STEPS: f64 = 3e5;
 /// The mechanism is where it was a turn before when no body is further off than this share of its size, or turned by more, rad.
 const SAME: f64 = 1e-6;
 /// Share of a turn that the dynamic trial lasts.
@@ -34,6 +34,8 @@ pub struct TrialResult {
     pub start: Vec<BodyStart>,
     /// Duration of a turn of the cycle's drive, s.
     pub turn_s: f64,
+    /// Turns after which the ideal mechanism was followed no further, where they are less than its cycle.
+    pub left_after_turns: Option<f64>,
     /// Whether the first steps of the run were made.
     pub is_run: bool,
 }
@@ -62,7 +64,7 @@ pub fn check_run(mechanism: &Mechanism, values: &Values) -> Result<(), RunFailur
 pub fn run_trial(mechanism: &Mechanism, values: &Values, stop: &AtomicBool) -> Result<TrialResult, RunFailure> {
     let turn_s = input(mechanism, values, mechanism.model.cycle.span)?.turn_s();
     let sample = Sample::new(mechanism, values)?;
-    let start = if mechanism.is_driven() {
+    let (start, left_after_turns) = if mechanism.is_driven() {
         close_all_round((mechanism, values, &sample), turn_s, stop)?
     } else {
         let (ideal, sample) = (mechanism.without_play(), sample.clone().without_play());
@@ -74,26 +76,28 @@ pub fn run_trial(mechanism: &Mechanism, values: &Values, stop: &AtomicBool) -> R
             // What a run is compared with.
             first_steps(&ideal, &sample, turn_s, stop)?;
         }
-        start
+        (start, None)
     };
     let has_dynamics = mechanism.model.missing_for_runs.is_empty();
     let is_run = has_dynamics && first_steps(mechanism, &sample, turn_s, stop)?;
-    Ok(TrialResult { start, turn_s, is_run })
+    Ok(TrialResult { start, turn_s, left_after_turns, is_run })
 }
 
-/// Closes the ideal mechanism in all positions of its cycle until they repeat themselves; gives where it starts.
+/// Closes the ideal mechanism in all positions of its cycle until they repeat themselves; gives where it starts, and after how many turns
+/// it was left, where they are less than the cycle.
 fn close_all_round(
     (mechanism, values, sample): (&Mechanism, &Values, &Sample<f64>),
     turn_s: f64,
     stop: &AtomicBool,
-) -> Result<Vec<BodyStart>, RunFailure> {
+) -> Result<(Vec<BodyStart>, Option<f64>), RunFailure> {
     let cycle = &mechanism.model.cycle;
     let mut motion = IdealMotion::new(mechanism, &sample.ideal, &sample.drives)?;
     let start = motion.kinematics().poses.clone();
     let starts = body_starts(mechanism, values, motion.kinematics());
-    let turns = (cycle.transient_turns + cycle.recorded_turns)
+    let asked = cycle.transient_turns + cycle.recorded_turns;
+    let turns = asked
         .min(MAX_TURNS)
-        .min(MAX_TURNS_OF_THE_FASTEST / speed_ratio(mechanism, sample, turn_s));
+        .min(MAX_STEPS / motion.steps_to(motion.time_s() + turn_s));
     let square = (mechanism.ideal.free as f64).powi(2);
     let per_turn = (POSITIONS_TIMES_SQUARES / square).floor().clamp(MIN_POSITIONS_PER_TURN, POSITIONS_PER_TURN);
     let positions = (turns * per_turn).ceil() as usize;
@@ -115,7 +119,7 @@ fn close_all_round(
             break;
         }
     }
-    Ok(starts)
+    Ok((starts, (turns < asked.min(1.0)).then_some(turns)))
 }
 
 /// Runs the first stretch; false where an evaluation is too long for that.
@@ -141,17 +145,6 @@ fn first_steps(
 /// Evaluations of the trial at most. A motion that its drives determine needs none of its equations of motion.
 fn trial_evaluations(is_ideal: bool, multiplications: f64) -> f64 {
     if is_ideal { TRIAL_EVALUATIONS } else { TRIAL_EVALUATIONS.min(TRIAL_MULTIPLICATIONS / multiplications) }
-}
-
-/// Turns of the fastest drive in one turn of the cycle, >= 1. Lengths count as angles over the size of the mechanism; a motion
-/// that is not at constant speed has as many as the cycle.
-fn speed_ratio(mechanism: &Mechanism, sample: &Sample<f64>, turn_s: f64) -> f64 {
-    let model = &mechanism.model;
-    let rates = model.drives.iter().enumerate().filter_map(|(index, drive)| {
-        let speed = sample.drives.constant_speed(DriveId(index))?.abs();
-        Some(if model.joints[drive.joint.0].kind.slides() { speed / mechanism.size_m } else { speed })
-    });
-    (rates.fold(0.0, f64::max) * turn_s / TAU).max(1.0)
 }
 
 fn body_starts(mechanism: &Mechanism, values: &Values, ideal: &Kinematics<f64>) -> Vec<BodyStart> {

@@ -1,5 +1,7 @@
 //! The ideal motion: positions, velocities and accelerations with every clearance at zero.
 
+use std::f64::consts::GOLDEN_RATIO;
+
 use super::compile::Mechanism;
 use super::error::{DrivePlace, SampleError};
 use crate::mechanism::beginning::initial::StartEquations;
@@ -21,6 +23,8 @@ const NEWTON_STEPS: usize = 30;
 const NEARLY_CLOSED: f64 = 1e-9;
 /// Residual, relative to the size of the mechanism, that is round-off already.
 const CLOSED: f64 = 1e-14;
+/// Largest turn of any body in one prediction, rad.
+const MAX_STEP_RAD: f64 = 0.2;
 /// Pivot ratio of the loop equations below which a position counts as singular.
 const SINGULAR_PIVOT_RATIO: f64 = 1e-9;
 
@@ -100,11 +104,11 @@ impl<'a> IdealMotion<'a> {
     /// # Errors
     /// The loops cannot be closed on the way, or only in a singular position. The state is then worthless.
     pub fn move_to(&mut self, time_s: f64) -> Result<(), SampleError> {
-        /// Largest turn of any body in one prediction, rad.
-        const MAX_STEP_RAD: f64 = 0.2;
+        /// Instants at which a drive that does not run at constant speed is looked at.
+        const LOOKS: u32 = 16;
         let fastest = self.kinematics.twists.iter().fold(0.0_f64, |f, twist| f.max(twist.angular.abs()));
         let span = time_s - self.time_s;
-        let driven = self.fastest_drive_1_s(time_s);
+        let driven = self.fastest_drive_1_s(time_s, (0..=LOOKS).map(|look| f64::from(look) / f64::from(LOOKS)));
         let steps = (span.abs() * fastest.max(driven) / MAX_STEP_RAD).ceil().clamp(1.0, 1e6) as usize;
         let start_s = self.time_s;
         for step in 1..=steps {
@@ -114,6 +118,13 @@ impl<'a> IdealMotion<'a> {
             self.set_rates_and_accelerations()?;
         }
         Ok(())
+    }
+
+    /// Steps along the motion from here to `time_s`, as far as the drives alone tell.
+    pub fn steps_to(&self, time_s: f64) -> f64 {
+        // Multiples of the golden ratio: no period of a drive repeats itself in them.
+        let looks = (0_u32..64).map(|look| (f64::from(look) * GOLDEN_RATIO).fract());
+        (time_s - self.time_s).abs() * self.fastest_drive_1_s(time_s, looks) / MAX_STEP_RAD
     }
 
     /// Guesses the free coordinates at `next_s`: by the polynomial of degree five through the present state and the one before it,
@@ -167,10 +178,9 @@ impl<'a> IdealMotion<'a> {
         self.held_s = time_s;
     }
 
-    /// The fastest drive between the present time and `time_s`, 1/s.
-    fn fastest_drive_1_s(&self, time_s: f64) -> f64 {
-        /// Instants at which a drive that does not run at constant speed is looked at.
-        const LOOKS: u32 = 16;
+    /// The fastest drive between the present time and `time_s`, 1/s. One that does not run at constant speed is looked at after these shares of
+    /// the time between.
+    fn fastest_drive_1_s(&self, time_s: f64, shares: impl Iterator<Item = f64> + Clone) -> f64 {
         let (model, scale) = (&self.mechanism.model, self.drive_scale());
         let mut fastest = 0.0_f64;
         for &drive in &self.mechanism.ideal.drives {
@@ -179,8 +189,8 @@ impl<'a> IdealMotion<'a> {
                 continue;
             }
             let mut drives = self.drives.clone();
-            for k in 0..=LOOKS {
-                let at_s = self.time_s + (time_s - self.time_s) * f64::from(k) / f64::from(LOOKS);
+            for share in shares.clone() {
+                let at_s = self.time_s + (time_s - self.time_s) * share;
                 drives.take_pieces_at(self.held_s.unwrap_or(at_s));
                 fastest = fastest.max(drives.at(model, drive, at_s)[1].abs() / scale);
             }

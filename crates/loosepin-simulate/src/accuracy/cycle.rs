@@ -1,9 +1,10 @@
 //! One cycle of the ideal motion: positions, how far the mechanism turns, and where it is singular.
 
+use super::error::AccuracyError;
 use super::transmission::{Transmission, is_positive};
 use crate::maximum_within;
 use loosepin_math::sort_by_number;
-use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, SampleError};
+use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, Sample, SampleError};
 use loosepin_mechanics::model::{CycleInput, describe_path};
 use loosepin_result::motion::SingularPosition;
 use loosepin_text::units::{Dimension, format_value};
@@ -12,6 +13,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 /// Below this sine of the smallest angle a position is reported as nearly singular: 5°, where errors are magnified more
 /// than ten times. Designers keep transmission angles above 30° to 45°.
 const NEARLY_SINGULAR_SINE: f64 = 0.087_155_742_747_658_17;
+/// Steps along the motion in one turn of the cycle, at most: they take seconds.
+const MAX_STEPS: usize = 1_000_000;
 /// Singular positions are located to this share of a turn.
 const LOCATED_TURNS: f64 = 1e-12;
 /// How far beyond a sample at which branches cross the motion is taken up again, in steps.
@@ -47,6 +50,24 @@ pub(super) enum SingularKind {
 }
 
 impl<'a> Cycle<'a> {
+    /// The position from which a cycle is walked.
+    ///
+    /// # Errors
+    /// The sample has none; the drives turn so often in a turn that the walk would be too long.
+    pub fn start(
+        mechanism: &'a Mechanism,
+        sample: &Sample<f64>,
+        input: &CycleInput,
+    ) -> Result<IdealMotion<'a>, AccuracyError> {
+        let start = IdealMotion::new(mechanism, &sample.ideal, &sample.drives)?;
+        let steps = start.steps_to(start.time_s() + input.turn_s());
+        // Also where the drives have no value: the walk then says so.
+        if steps > MAX_STEPS as f64 {
+            return Err(AccuracyError::TooLong { steps, most: MAX_STEPS });
+        }
+        Ok(start)
+    }
+
     /// Walks `positions` steps of one turn from `start`. A mechanism that cannot go through the turn is followed as far as
     /// it goes forwards, and from the start backwards. Where `stop` is set it ends wherever it is.
     pub fn walk(

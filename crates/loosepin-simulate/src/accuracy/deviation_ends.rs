@@ -113,7 +113,7 @@ pub fn deviation_ends_until(
             dimensions.push((*limit, direction));
         }
     }
-    let start = IdealMotion::new(mechanism, &sample.ideal, &sample.drives)?;
+    let start = Cycle::start(mechanism, &sample, &input)?;
     let cycle = Cycle::walk(mechanism, start, &input, positions, stop);
     if stop.load(Ordering::Relaxed) {
         return Err(AccuracyError::Stopped);

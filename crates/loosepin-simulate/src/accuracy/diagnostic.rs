@@ -12,6 +12,7 @@ impl Problem for AccuracyError {
             Self::NotDriven => Code::TooFewDrives,
             Self::StandsStill { .. } => Code::DriveStandsStill,
             Self::TooFewPositions { .. } => Code::BadCount,
+            Self::TooLong { .. } => Code::BreaksRule,
             Self::BadStandardDeviation { .. } => Code::BadDistribution,
             Self::CannotCloseWithPlay { .. } => Code::CannotClose,
             Self::SingularWithPlay => Code::SingularPosition,
@@ -29,6 +30,9 @@ impl Problem for AccuracyError {
                     .to_owned(),
             ),
             Self::StandsStill { .. } => Some("give it a speed, or use another drive in [cycle]".to_owned()),
+            Self::TooLong { .. } => {
+                Some("slow the fastest drive down, or let [cycle] count its turns".to_owned())
+            }
             Self::TooFewPositions { .. } | Self::BadStandardDeviation { .. } | Self::Stopped => None,
             Self::TurnsOver { .. } => Some("make the slider longer, or the clearance smaller".to_owned()),
             Self::CannotCloseWithPlay { .. } | Self::SingularWithPlay => {
@@ -49,6 +53,7 @@ impl AccuracyError {
             Self::BadStandardDeviation { path, .. } => Diagnostic::error(self, model.place(path)),
             Self::CannotCloseWithPlay { open } => Diagnostic::error(self, model.place(&open.path)),
             Self::TurnsOver { joint } => Diagnostic::error(self, model.place(&format!("joint.{joint}"))),
+            Self::TooLong { .. } => Diagnostic::error(self, model.place("cycle")),
             Self::TooFewPositions { .. } | Self::SingularWithPlay | Self::Stopped => Diagnostic::error(self, None),
         }
     }

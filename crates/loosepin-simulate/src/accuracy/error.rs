@@ -3,6 +3,7 @@
 use loosepin_mechanics::mechanism::SampleError;
 use loosepin_mechanics::mechanism::constraints::LargestResidual;
 use loosepin_mechanics::model::QuantityError;
+use loosepin_text::units::format_number;
 use thiserror::Error;
 
 /// Why the ideal motion or the quasi-static answer cannot be given.
@@ -24,6 +25,14 @@ pub enum AccuracyError {
     StandsStill {
         /// The drive.
         drive: String,
+    },
+    /// A drive turns too often in one turn of the cycle.
+    #[error("one turn of the cycle takes about {} steps along the motion; at most {most} are made", format_number(steps.round()))]
+    TooLong {
+        /// The steps.
+        steps: f64,
+        /// The largest number.
+        most: usize,
     },
     /// Too few positions to describe a cycle.
     #[error("{positions} positions a cycle were asked for; must be at least {least}")]

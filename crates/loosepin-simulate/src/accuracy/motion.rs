@@ -154,7 +154,7 @@ fn motion_with(
     let directions = directions(mechanism, values, &plan.scatter)?;
     let sample = Sample::new(mechanism, values)?;
     let reaches = PlayReach::of_sample(mechanism, &sample, sample.plays.iter().map(|_| 0.0))?;
-    let start = IdealMotion::new(mechanism, &sample.ideal, &sample.drives)?;
+    let start = Cycle::start(mechanism, &sample, &input)?;
     let cycle = Cycle::walk(mechanism, start, &input, plan.positions, stop);
     go_on()?;
 

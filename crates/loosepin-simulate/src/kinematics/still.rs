@@ -11,13 +11,15 @@ use crate::recording::history::input;
 const POSITIONS: usize = 23;
 /// Positions that must be reached.
 const MIN_POSITIONS: usize = 2;
+/// Steps along the motion in a turn, at most.
+const MAX_STEPS: f64 = 1e5;
 /// Free coordinates of the tree, at most: positions take the square of them.
 const MAX_FREE: usize = 300;
 /// A body stands still when it is not further off than this share of the size of the mechanism, or turned by more, rad.
 const SAME: f64 = 1e-9;
 
 /// Whether each body moves with the ideal mechanism over a turn, the ground first. `None` where drives do not move it alone, where it hardly moves at
-/// all, and of very many bodies.
+/// all, of very many bodies, and where a drive is very much faster than that of the cycle.
 pub fn bodies_that_move(mechanism: &Mechanism, values: &Values) -> Option<Vec<bool>> {
     if !mechanism.is_driven() || mechanism.ideal.free > MAX_FREE {
         return None;
@@ -25,6 +27,9 @@ pub fn bodies_that_move(mechanism: &Mechanism, values: &Values) -> Option<Vec<bo
     let turn_s = input(mechanism, values, mechanism.model.cycle.span).ok()?.turn_s();
     let sample = Sample::new(mechanism, values).ok()?;
     let mut motion = IdealMotion::new(mechanism, &sample.ideal, &sample.drives).ok()?;
+    if motion.steps_to(turn_s) > MAX_STEPS {
+        return None;
+    }
     let start = motion.kinematics().poses.clone();
     let mut moved = vec![false; mechanism.model.bodies.len()];
     for position in 1..=POSITIONS {
