@@ -82,7 +82,7 @@ fn of_single_numbers(mut study: Study) -> Study {
     let angles_rad = (0..POSES).map(|pose| step_rad * pose as f64).collect();
     let first = study.asks.iter().find(|ask| ask.deviation == Deviation::Total).expect("the study asks for the total");
     let poses = Ask { location: Where::Poses { angles_rad }, ..first.clone() };
-    study.asks.retain(|ask| ask.location != Where::Cycle);
+    study.asks.retain(|ask| !ask.location.is_cycle());
     study.asks.push(poses);
     study.requirements.clear();
     study

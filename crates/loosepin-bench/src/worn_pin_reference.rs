@@ -45,11 +45,11 @@ pub const ENDS: [&str; 2] = ["lower", "upper"];
 /// If the study does not ask for them.
 pub fn study() -> Study {
     let mut study = worn_pin::study();
-    let is_one = |location: &Where| REDUCTIONS.iter().any(|&reduction| *location == Where::Reduced(reduction));
+    let is_one = |location: &Where| location.reduction().is_some_and(|reduction| REDUCTIONS.contains(&reduction));
     study.asks.retain(|ask| ask.deviation == Deviation::Total && is_one(&ask.location));
     study.requirements.clear();
     let found: Vec<&Where> = study.asks.iter().map(|ask| &ask.location).collect();
-    assert_eq!(found, REDUCTIONS.map(Where::Reduced).iter().collect::<Vec<_>>(), "what the study asks for");
+    assert_eq!(found, REDUCTIONS.map(Where::reduced).iter().collect::<Vec<_>>(), "what the study asks for");
     study
 }
 

@@ -2,7 +2,7 @@
 
 use loosepin_mechanics::contact::LONG_PIN_LAW;
 use loosepin_mechanics::mechanism::pin_clearance;
-use loosepin_mechanics::model::{ContactId, JointId, Model, PlayId, Recorded, Values};
+use loosepin_mechanics::model::{ContactId, JointId, Model, PlayId, Values};
 use loosepin_text::article::{Content, Fact, Section};
 use loosepin_text::units::{Dimension, format_value};
 
@@ -52,8 +52,5 @@ pub fn force_laws(
 
 /// The joints whose force is an output of the model, in file order.
 pub fn joints_with_force_output(model: &Model) -> impl Iterator<Item = JointId> {
-    model.outputs.iter().filter_map(|output| match output.kind.recorded() {
-        Recorded::Number(reading) => reading.force_in(),
-        Recorded::Path(_) | Recorded::Wear(..) => None,
-    })
+    model.outputs.iter().filter_map(|output| output.kind.reading()?.force_in())
 }

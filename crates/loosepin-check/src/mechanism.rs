@@ -2,7 +2,7 @@
 
 use loosepin_mechanics::mechanism::{Drives, Mechanism};
 use loosepin_mechanics::model::{
-    Body, BodyId, CycleSpan, DriveId, InitialOffset, Model, OffsetPlace, Origin, PlayId, Point, Recorded, Values,
+    Body, BodyId, CycleSpan, DriveId, InitialOffset, Model, OffsetPlace, Origin, PlayId, Point, Values,
 };
 use loosepin_result::kinematics::LoopProperties;
 use loosepin_simulate::{columns, loop_properties};
@@ -197,11 +197,9 @@ fn run(mechanism: &Mechanism, tried: &TrialResult) -> Section {
         counted_or_no(cycle.samples_per_turn, &format!("row a {one}"), &format!("rows a {one}"))
     );
     let columns = columns(&mechanism.model).into_iter().map(|column| (column.name, column.words));
-    let wear = mechanism.model.outputs.iter().filter_map(|output| match output.kind.recorded() {
-        Recorded::Wear(joint, measure) => {
-            Some((output.name.clone(), measure.words(&mechanism.model.joints[joint.0].name)))
-        }
-        Recorded::Number(_) | Recorded::Path(_) => None,
+    let wear = mechanism.model.outputs.iter().filter_map(|output| {
+        let (joint, measure) = output.kind.wear()?;
+        Some((output.name.clone(), measure.words(&mechanism.model.joints[joint.0].name)))
     });
     let outputs = columns.chain(wear).map(|(name, words)| Fact::new(name, [words]));
     let mut section = Section::of_facts("run", heading, outputs);
@@ -214,7 +212,9 @@ fn ending_words(mechanism: &Mechanism, tried: &TrialResult) -> String {
     let closing = match tried.left_after_turns {
         None => "The loops close over the whole cycle".to_owned(),
         Some(turns) => {
-            format!("The loops close over the first {turns:.1e} turns; a drive is so fast that they were not followed further")
+            format!(
+                "The loops close over the first {turns:.1e} turns; a drive is so fast that they were not followed further"
+            )
         }
     };
     match (mechanism.is_driven(), tried.is_run) {

@@ -272,7 +272,10 @@ fn a_cycle_with_too_many_steps_is_followed_in_part_and_has_no_motion() {
                     the run succeed.\n";
     assert!(text.ends_with(expected), "{text}");
     let slower = said(&SHAKEN.replace("5e4 Hz", "50 Hz"));
-    assert!(slower.ends_with("\nThe loops close over the whole cycle, and the first steps of the run succeed.\n"), "{slower}");
+    assert!(
+        slower.ends_with("\nThe loops close over the whole cycle, and the first steps of the run succeed.\n"),
+        "{slower}"
+    );
 }
 
 #[test]

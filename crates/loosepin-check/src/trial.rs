@@ -95,9 +95,7 @@ fn close_all_round(
     let start = motion.kinematics().poses.clone();
     let starts = body_starts(mechanism, values, motion.kinematics());
     let asked = cycle.transient_turns + cycle.recorded_turns;
-    let turns = asked
-        .min(MAX_TURNS)
-        .min(MAX_STEPS / motion.steps_to(motion.time_s() + turn_s));
+    let turns = asked.min(MAX_TURNS).min(MAX_STEPS / motion.steps_to(motion.time_s() + turn_s));
     let square = (mechanism.ideal.free as f64).powi(2);
     let per_turn = (POSITIONS_TIMES_SQUARES / square).floor().clamp(MIN_POSITIONS_PER_TURN, POSITIONS_PER_TURN);
     let positions = (turns * per_turn).ceil() as usize;

@@ -13,6 +13,7 @@ mod drafts;
 mod error;
 mod file;
 mod model;
+mod places;
 mod planning;
 mod question;
 pub use loosepin_result::study as result;
@@ -32,11 +33,12 @@ pub use file::{
     MIN_SPECIMEN_ROWS, MeantLimit, Measured, MeasuredMotion, MeasuredProblem, MotionError, MotionProblem,
     MotionSubject, NameProblem, NamedPlace, NamedQuestion, PLAY, Push, RandomInput, RandomProblem, RandomSubject,
     RareMethod, ReadingScatter, Reduction, Requirement, SampledFeature, Sampling, SpecimenProblem, SpecimenRows,
-    StatedCorrelation, Study, StudyProblem, StudySurrogate, UncertainParameter, Where, journal_words, named_model,
-    says_study, study_schema, takes_mean_of_model,
+    StatedCorrelation, Study, StudyProblem, StudySurrogate, UncertainParameter, journal_words, named_model, says_study,
+    study_schema, takes_mean_of_model,
 };
 pub use loosepin_text::tolerance::{FitError, number_and_unit, signed_parts, states_nominal};
 pub use model::{Clearance, StudyModel};
+pub use places::Where;
 pub use planning::cost_estimate::{CostEstimate, PromiseCost};
 pub use planning::estimate_cost::estimate_cost;
 pub use planning::plans::{default_threads, plan_runs, plan_runs_on, plan_shards};

@@ -124,9 +124,11 @@ const SCRIPTS: [(&str, &[&str]); 3] = [
 ];
 
 /// Enums whose variants only their own folder names, with that folder. Everybody else asks a variant what it is like.
-const ONE_PLACE: [(&str, &str); 22] = [
+const ONE_PLACE: [(&str, &str); 24] = [
     ("Deviation", "loosepin-terms/src/deviation.rs"),
     ("Reduction", "loosepin-terms/src/reduction/"),
+    ("Where", "loosepin-study/src/places.rs"),
+    ("Location", "loosepin-study/src/places.rs"),
     ("Statistic", "loosepin-terms/src/statistic/"),
     ("Estimation", "loosepin-terms/src/statistic/"),
     ("JointKind", "loosepin-mechanics/src/model/joint/"),

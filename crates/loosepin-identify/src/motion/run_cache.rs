@@ -65,9 +65,9 @@ impl<'s> RunCache<'s> {
         for feature in features {
             let (output, deviation, location) = match feature.subject {
                 MotionSubject::Located { output, deviation, reduction } => {
-                    (output, deviation, Where::Reduced(reduction))
+                    (output, deviation, Where::reduced(reduction))
                 }
-                MotionSubject::Sampled { output, .. } => (output, Deviation::of_value(), Where::Cycle),
+                MotionSubject::Sampled { output, .. } => (output, Deviation::of_value(), Where::over_cycle()),
                 MotionSubject::Impacts { .. } => {
                     asks.push(None);
                     continue;
@@ -78,7 +78,7 @@ impl<'s> RunCache<'s> {
         }
         if asked.asks.is_empty() {
             // A row of impacts alone still needs a column.
-            asked.asks.push(Ask::of_values(0, Deviation::of_value(), Where::Reduced(Reduction::Mean)));
+            asked.asks.push(Ask::of_values(0, Deviation::of_value(), Where::reduced(Reduction::Mean)));
         }
         let most = features.iter().map(|feature| feature.repeats).max().unwrap_or(1);
         let stretches = (0..most).map(|stretch| {

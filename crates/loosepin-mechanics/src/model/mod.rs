@@ -45,8 +45,8 @@ pub use loosepin_text::numbers::{Origin, Quantity, QuantityError, QuantityId, Qu
 pub use loosepin_text::units::Rule;
 pub use output::{
     ActuatorFacts, BeamFacts, Component, Derivative, Effort, EffortMeasure, JointForce, KindOfOutput, KindOfReading,
-    Measure, Motion, NoReading, Output, OutputKind, OutputReader, OutputState, PointPath, Position, Reading, Recorded,
-    Relative, Stress, Wear, relative_words,
+    Measure, Motion, NoReading, Output, OutputKind, OutputReader, OutputState, PointPath, Position, Reading, Relative,
+    Stress, Wear, relative_words,
 };
 pub use part_reader::{DeferredQuantity, PartReader};
 pub use parts::beam::{Beam, Formulation, LumpedMass};

@@ -5,7 +5,7 @@ use super::contact::Contact;
 use crate::contact::delivered_restitution;
 use crate::model::ids::{BodyId, PlayId};
 use crate::model::joint::TreeAttachment;
-use crate::model::output::{Output, Position, Recorded, Relative};
+use crate::model::output::{Output, Position, Relative};
 use crate::model::parts::topology::{Body, Model};
 use loosepin_text::diagnostics::{Place, Source};
 use loosepin_text::document::describe_path;
@@ -71,13 +71,12 @@ impl JudgedModel for Model {
 
 /// The body whose position or angle from the ground an output is.
 fn seen_from_ground(output: &Output) -> Option<BodyId> {
-    match output.kind.recorded() {
-        Recorded::Path(Relative { of, to: None }) => Some(of.body),
-        Recorded::Number(reading) => match reading.position()? {
-            Position::Point(Relative { of, to: None }, _) => Some(of.body),
-            Position::Angle(Relative { of, to: None }) => Some(of),
-            _ => None,
-        },
+    if let Some(Relative { of, to: None }) = output.kind.path() {
+        return Some(of.body);
+    }
+    match output.kind.reading()?.position()? {
+        Position::Point(Relative { of, to: None }, _) => Some(of.body),
+        Position::Angle(Relative { of, to: None }) => Some(of),
         _ => None,
     }
 }

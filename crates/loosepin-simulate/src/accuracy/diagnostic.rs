@@ -30,9 +30,7 @@ impl Problem for AccuracyError {
                     .to_owned(),
             ),
             Self::StandsStill { .. } => Some("give it a speed, or use another drive in [cycle]".to_owned()),
-            Self::TooLong { .. } => {
-                Some("slow the fastest drive down, or let [cycle] count its turns".to_owned())
-            }
+            Self::TooLong { .. } => Some("slow the fastest drive down, or let [cycle] count its turns".to_owned()),
             Self::TooFewPositions { .. } | Self::BadStandardDeviation { .. } | Self::Stopped => None,
             Self::TurnsOver { .. } => Some("make the slider longer, or the clearance smaller".to_owned()),
             Self::CannotCloseWithPlay { .. } | Self::SingularWithPlay => {

@@ -4,7 +4,7 @@ use super::accuracy_output::speed_of_no_direction_m_s;
 use super::play_reach::PlayReach;
 use loosepin_math::Vec2;
 use loosepin_mechanics::mechanism::Mechanism;
-use loosepin_mechanics::model::{Axis, PointId, Position, Recorded, Relative, relative_words};
+use loosepin_mechanics::model::{Axis, PointId, Position, Relative, relative_words};
 use loosepin_result::point_path::{ELLIPSE_SHARE, PointPath, REACH_DIRECTIONS, direction_rad};
 
 /// Fills the paths, position by position.
@@ -32,10 +32,7 @@ struct RecordedPath {
 /// The paths of outputs in file order, then of `points` that are none; their readings are added to `readings` where they are not there.
 pub(super) fn points_of_paths(mechanism: &Mechanism, points: &[PointId], readings: &mut Vec<Position>) -> PathRecorder {
     let model = &mechanism.model;
-    let of_output = model.outputs.iter().filter_map(|output| match output.kind.recorded() {
-        Recorded::Path(point) => Some((Some(output.name.clone()), point)),
-        Recorded::Number(_) | Recorded::Wear(..) => None,
-    });
+    let of_output = model.outputs.iter().filter_map(|output| Some((Some(output.name.clone()), output.kind.path()?)));
     let mut asked: Vec<(Option<String>, Relative<PointId>)> = of_output.collect();
     for point in points.iter().map(|point| Relative::to_ground(*point)) {
         if asked.iter().all(|(_, known)| *known != point) {

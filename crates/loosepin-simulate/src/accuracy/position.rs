@@ -2,7 +2,7 @@
 
 use crate::ideal::column;
 use loosepin_mechanics::mechanism::Mechanism;
-use loosepin_mechanics::model::{Derivative, Motion, OutputKind, Position, Reading, Recorded, relative_words};
+use loosepin_mechanics::model::{Derivative, Motion, OutputKind, Position, Reading, relative_words};
 use loosepin_text::units::SiUnit;
 
 /// A coordinate of a point or the angle of a body.
@@ -35,11 +35,8 @@ pub struct ModelPath {
 /// position already. Other outputs, such as forces, belong to no position.
 pub fn position_outputs(mechanism: &Mechanism) -> Vec<PositionOutput> {
     let outputs = &mechanism.model.outputs;
-    let is_position = |kind: &OutputKind| match kind.recorded() {
-        Recorded::Number(reading) => reading.is_position(),
-        Recorded::Path(_) => true,
-        Recorded::Wear(..) => false,
-    };
+    let is_position =
+        |kind: &OutputKind| kind.path().is_some() || kind.reading().is_some_and(|reading| reading.is_position());
     let mut found: Vec<(usize, PositionOutput)> = Vec::new();
     for derivatives in [false, true] {
         for (index, output) in outputs.iter().enumerate().filter(|(_, o)| is_position(&o.kind) != derivatives) {
@@ -50,12 +47,10 @@ pub fn position_outputs(mechanism: &Mechanism) -> Vec<PositionOutput> {
                 }
                 let (words, unit) = describe(mechanism, reading);
                 let name = format!("{}{suffix}", output.name);
-                let path = match output.kind.recorded() {
-                    Recorded::Path(point) => {
-                        Some(ModelPath { name: output.name.clone(), point: relative_words(&mechanism.model, point) })
-                    }
-                    Recorded::Number(_) | Recorded::Wear(..) => None,
-                };
+                let path = output.kind.path().map(|point| ModelPath {
+                    name: output.name.clone(),
+                    point: relative_words(&mechanism.model, point),
+                });
                 found.push((index, PositionOutput { name, words, unit, reading, path }));
             }
         }

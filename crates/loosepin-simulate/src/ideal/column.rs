@@ -1,6 +1,6 @@
 //! Outputs as columns of numbers, read off the state of a mechanism.
 
-use loosepin_mechanics::model::{Axis, Model, Motion, OutputKind, Position, Reading, Recorded};
+use loosepin_mechanics::model::{Axis, Model, Motion, OutputKind, Position, Reading};
 use loosepin_text::units::SiUnit;
 
 /// One number that a model file asks for; a path is two of them.
@@ -32,13 +32,9 @@ pub fn columns(model: &Model) -> Vec<Column> {
 
 /// The quantities of an output, each with what is added to its name.
 pub(crate) fn readings(kind: &OutputKind) -> Vec<(Reading, &'static str)> {
-    match kind.recorded() {
-        Recorded::Number(reading) => vec![(reading, "")],
-        Recorded::Path(point) => {
-            let coordinate = |axis| Motion::position(Position::Point(point, axis)).into();
-            vec![(coordinate(Axis::X), " x"), (coordinate(Axis::Y), " y")]
-        }
-        // No number of an instant.
-        Recorded::Wear(..) => Vec::new(),
-    }
+    let of_path = kind.path().into_iter().flat_map(|point| {
+        let coordinate = |axis| Motion::position(Position::Point(point, axis)).into();
+        [(coordinate(Axis::X), " x"), (coordinate(Axis::Y), " y")]
+    });
+    kind.reading().map(|reading| (reading, "")).into_iter().chain(of_path).collect()
 }

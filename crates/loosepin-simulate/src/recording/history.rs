@@ -28,9 +28,7 @@ use crate::wear::{LifePlan, WearRecorder, worn_life};
 use loosepin_math::Vec2;
 use loosepin_mechanics::dynamics::Dynamics;
 use loosepin_mechanics::mechanism::{Mechanism, Sample, acceleration_at};
-use loosepin_mechanics::model::{
-    Cycle, CycleInput, CycleSpan, Model, Output, PartNames, Recorded, Values, relative_words,
-};
+use loosepin_mechanics::model::{Cycle, CycleInput, CycleSpan, Model, Output, PartNames, Values, relative_words};
 use loosepin_result::repeat::Repeat;
 use loosepin_result::simulation::{
     ContactForceHistory, Drawing, EnergyAccount, ImpactRecord, JointSummary, JointWearRecord, JournalOrbit,
@@ -652,9 +650,9 @@ fn body_states(mechanism: &Mechanism, values: &Values, dynamics: &Dynamics<'_, f
 
 /// The outputs that are paths of points.
 fn paths(model: &Model) -> Vec<RunPath> {
-    let path = |output: &Output| match output.kind.recorded() {
-        Recorded::Path(point) => Some(RunPath { name: output.name.clone(), point: relative_words(model, point) }),
-        Recorded::Number(_) | Recorded::Wear(..) => None,
+    let path = |output: &Output| {
+        let point = output.kind.path()?;
+        Some(RunPath { name: output.name.clone(), point: relative_words(model, point) })
     };
     model.outputs.iter().filter_map(path).collect()
 }

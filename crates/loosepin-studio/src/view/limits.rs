@@ -5,7 +5,7 @@ use std::sync::Arc;
 use loosepin::diagnostics::Source;
 use loosepin::document::parse_toml;
 use loosepin::report::LiveLimit;
-use loosepin::study::{Deviation, InputFile, Limit, Study, Where};
+use loosepin::study::{Deviation, InputFile, Limit, Study};
 
 use crate::messages::LimitView;
 use crate::view::places::unquoted;
@@ -28,7 +28,7 @@ fn limits(study: &Study, source: &Arc<Source>) -> Vec<(LiveLimit, Option<LimitVi
     };
     let line = |(index, required): (usize, &loosepin::study::Requirement)| {
         let Limit::Within(within_si) = required.limit else { return None };
-        if required.deviation != Deviation::of_all_causes() || required.location != Where::Cycle {
+        if required.deviation != Deviation::of_all_causes() || !required.location.is_cycle() {
             return None;
         }
         let output = study.outputs[required.output].name.clone();

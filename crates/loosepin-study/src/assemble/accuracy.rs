@@ -1,7 +1,7 @@
 //! Reached accuracy of the bounds.
 
 use super::material::Material;
-use crate::file::{Ask, Where};
+use crate::file::Ask;
 use crate::planning::goals::{RoundsEnd, targets};
 use loosepin_bounds::{Assessment, RefinementStatus, Statistic};
 use loosepin_result::study::{AccuracyOutcome, AccuracyRecord, AccuracyStep, AccuracyStop, BoundEnd};
@@ -73,7 +73,7 @@ fn outcome(
     Some(AccuracyOutcome {
         output: material.name_of(column),
         of: ask.deviation,
-        at: material.point_of(column, ask.location == Where::Cycle),
+        at: material.point_of(column, ask.location.is_cycle()),
         statistic,
         unit: material.unit_of_statistic(column, statistic),
         asked_si,

@@ -2,7 +2,6 @@
 
 use super::coherent::{nest_cuts, nest_readings, order_percentiles};
 use super::material::Material;
-use crate::file::Where;
 use crate::question::CurveBand;
 use loosepin_bounds::{BoundPair, Bounds, Percentile};
 use loosepin_result::study::{BoundEnd, BoundRecord, CutBounds, Guarantee, PercentileBounds, Statistic, Treatment};
@@ -40,7 +39,7 @@ pub fn percentiles(material: &Material<'_>) -> Vec<PercentileBounds> {
 pub fn asked_bounds(material: &Material<'_>) -> Vec<BoundRecord> {
     let mut records = Vec::new();
     for ask in &material.plan().asks {
-        let in_curve = ask.location == Where::Cycle;
+        let in_curve = ask.location.is_cycle();
         for &column in &ask.columns {
             // Distribution functions have their own place; what else has no bound may be anything.
             let statistics = ask.statistics().filter(|statistic| statistic.is_single());

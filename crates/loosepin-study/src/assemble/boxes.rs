@@ -1,7 +1,7 @@
 //! Probability boxes.
 
 use super::material::Material;
-use crate::file::{Ask, Where};
+use crate::file::Ask;
 use loosepin_bounds::{Bound, Event, Statistic};
 use loosepin_result::study::ProbabilityBox;
 
@@ -9,7 +9,7 @@ use loosepin_result::study::ProbabilityBox;
 pub fn boxes(material: &Material<'_>) -> Vec<ProbabilityBox> {
     let asked = |column: usize| {
         material.plan().asks.iter().any(|ask| {
-            let is_shown = ask.location != Where::Cycle;
+            let is_shown = !ask.location.is_cycle();
             let is_stated = || ask.statistics().any(Statistic::is_distribution_function);
             ask.columns.contains(&column) && (is_shown || is_stated())
         })

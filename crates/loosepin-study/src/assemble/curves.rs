@@ -3,9 +3,9 @@
 use super::drawing::Pictures;
 use super::material::Material;
 use super::value_bands::value_bands;
-use crate::file::{Ask, Where};
+use crate::file::Ask;
 use crate::question::CurveBand;
-use crate::response::columns::{BAND, Location};
+use crate::response::columns::BAND;
 use crate::response::outputs::OutputSource;
 use loosepin_bounds::Statistic;
 use loosepin_result::study::{CurveRange, DeviationCurve, PathCurve, PathError, SimultaneousCurve};
@@ -14,7 +14,7 @@ use loosepin_simulate::Reading;
 /// One curve for each ask for the whole cycle.
 pub fn curves(material: &Material<'_>, pictures: &Pictures, bands: &[CurveBand]) -> Vec<DeviationCurve> {
     let asks = material.plan().asks.iter();
-    asks.filter(|ask| ask.location == Where::Cycle).map(|ask| curve(material, pictures, bands, ask)).collect()
+    asks.filter(|ask| ask.location.is_cycle()).map(|ask| curve(material, pictures, bands, ask)).collect()
 }
 
 fn curve(material: &Material<'_>, pictures: &Pictures, bands: &[CurveBand], ask: &Ask) -> DeviationCurve {
@@ -69,8 +69,7 @@ fn path(material: &Material<'_>, ask: &Ask) -> Option<PathCurve> {
     let (x, y) = place(readings[0]).zip(place(readings[1]))?;
     let mut path = PathCurve::default();
     for &column in &ask.columns {
-        let Location::Pose { turns, .. } = material.plan().columns[column].spot else { return None };
-        let share = turns / material.response.recorded_turns();
+        let share = material.plan().columns[column].spot.pose()?.turns / material.response.recorded_turns();
         // The time has no part in a direction.
         let [x, y] = [x, y].map(|reading| shared.nominal_curve.jet(reading, share, 1.0));
         path.x_m.push(x[0]);

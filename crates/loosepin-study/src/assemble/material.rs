@@ -2,8 +2,9 @@
 
 use super::coherent::{cut_end_to_range, cut_to_range, hold_larger, hold_smaller, narrow, narrow_to_nearest};
 use crate::file::{EpistemicInput, Reduction, Sampling, Study};
+use crate::places::Location;
 use crate::question::Rare;
-use crate::response::columns::{ColumnPlan, Location, StudyColumn};
+use crate::response::columns::{ColumnPlan, StudyColumn};
 use crate::response::outputs::OutputSource;
 use crate::response::study_response::StudyResponse;
 use loosepin_bounds::{Bound, BoundPair, Bounds, SampleTable};
@@ -171,9 +172,9 @@ impl Material<'_> {
     fn of_same_curve(&self, column: usize) -> Vec<(usize, Option<[bool; 2]>)> {
         let own = self.plan().columns[column];
         let mut found = vec![(column, None)];
-        let Location::Reduced(own_reduction) = own.spot else { return found };
+        let Some(own_reduction) = own.spot.reduction() else { return found };
         for (other, planned) in self.plan().columns.iter().enumerate() {
-            let Location::Reduced(reduction) = planned.spot else { continue };
+            let Some(reduction) = planned.spot.reduction() else { continue };
             if other != column && (planned.output, planned.deviation) == (own.output, own.deviation) {
                 found.push((
                     other,
@@ -229,9 +230,9 @@ impl Material<'_> {
     /// max|d|, the quantiles of d lie within those of ± max|d|, and other increasing statistics of d lie within S(- max|d|) and S(max|d|).
     fn limits(&self, column: usize, statistic: Statistic) -> [Limit; 2] {
         let planned = self.plan().columns[column];
-        let largest = StudyColumn { spot: Location::Reduced(Reduction::largest_magnitude()), ..planned };
+        let largest = StudyColumn { spot: Location::reduced(Reduction::largest_magnitude()), ..planned };
         let largest = self.plan().columns.iter().position(|known| *known == largest);
-        let (Some(largest), Location::Pose { .. }) = (largest, planned.spot) else {
+        let (Some(largest), Some(_)) = (largest, planned.spot.pose()) else {
             return Limit::NONE;
         };
         let most = |statistic| match self.ordered(largest, statistic) {
@@ -262,7 +263,7 @@ impl Material<'_> {
             OutputSource::Path(..) => false,
         };
         // The reductions of a magnitude are magnitudes.
-        is_magnitude || matches!(column.spot, Location::Reduced(reduction) if reduction.is_never_negative())
+        is_magnitude || column.spot.reduction().is_some_and(Reduction::is_never_negative)
     }
 
     /// The unit of a column.
@@ -282,16 +283,12 @@ impl Material<'_> {
 
     /// Point at which a column is taken; `in_curve` marks a point of a curve.
     pub fn point_of(&self, column: usize, in_curve: bool) -> ResponsePoint {
-        match self.plan().columns[column].spot {
-            Location::Pose { angle_rad: pose_rad, .. } => {
-                if in_curve {
-                    ResponsePoint::Curve { pose_rad }
-                } else {
-                    ResponsePoint::Pose { pose_rad }
-                }
-            }
-            Location::Reduced(reduction) => ResponsePoint::Reduced { reduction },
-        }
+        let of_pose = |pose_rad: f64| {
+            if in_curve { ResponsePoint::Curve { pose_rad } } else { ResponsePoint::Pose { pose_rad } }
+        };
+        self.plan().columns[column]
+            .spot
+            .turned_into(|pose| of_pose(pose.angle_rad), |reduction| ResponsePoint::Reduced { reduction })
     }
 }
 
@@ -365,7 +362,7 @@ mod tests {
         let columns = &runs.response.plan().columns;
         let pose = runs.response.plan().asks[0].columns[2];
         let Some(largest) = (0..columns.len()).find(|column| {
-            let is_largest = super::Location::Reduced(super::Reduction::largest_magnitude());
+            let is_largest = super::Location::reduced(super::Reduction::largest_magnitude());
             columns[*column].spot == is_largest && runs.bounds.pairs.iter().any(|pair| pair.column == *column)
         }) else {
             panic!("the largest deviation narrows curves");

@@ -2,7 +2,6 @@
 
 use crate::file::Study;
 use crate::written::input_file::InputFile;
-use loosepin_mechanics::model::Recorded;
 use loosepin_result::point_path::CyclePaths;
 use loosepin_text::diagnostics::Diagnostics;
 
@@ -11,7 +10,7 @@ const POSITIONS: usize = 180;
 
 /// The paths; `None` if there are none, or the drives alone do not move the mechanism: no finished study is lost for it.
 pub fn paths(study: &Study) -> Option<CyclePaths> {
-    let is_path = |output: &loosepin_mechanics::model::Output| matches!(output.kind.recorded(), Recorded::Path(_));
+    let is_path = |output: &loosepin_mechanics::model::Output| output.kind.path().is_some();
     if study.paths().is_empty() && !study.model.planar()?.outputs.iter().any(is_path) {
         return None;
     }

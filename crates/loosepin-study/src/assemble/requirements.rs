@@ -1,7 +1,7 @@
 //! Requirements against the bounds of the shares that keep their limits.
 
 use super::material::Material;
-use crate::file::{Requirement, Where};
+use crate::file::Requirement;
 use loosepin_bounds::{BoundPair, Statistic};
 use loosepin_result::study::{CountedMechanisms, KnownShare, RequirementOutcome, ResponsePoint, Verdict, Witness};
 
@@ -22,10 +22,7 @@ fn outcome(material: &Material<'_>, requirement: &Requirement, column: usize) ->
     RequirementOutcome {
         output: material.name_of(column),
         of: requirement.deviation,
-        at: match requirement.location {
-            Where::Cycle => ResponsePoint::Whole,
-            _ => material.point_of(column, false),
-        },
+        at: if requirement.location.is_cycle() { ResponsePoint::Whole } else { material.point_of(column, false) },
         lower_si,
         upper_si,
         probability_at_least: requirement.probability_at_least,

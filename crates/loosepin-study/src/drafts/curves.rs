@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use crate::file::{Ask, Where};
-use crate::response::columns::{BAND, Location};
+use crate::file::Ask;
+use crate::response::columns::BAND;
 use crate::response::study_response::StudyResponse;
 use loosepin_bounds::{Purpose, SampleTable, between_order_statistics};
 use loosepin_math::sort_ascending;
@@ -25,7 +25,7 @@ pub(crate) fn draft_curves(response: &StudyResponse, table: &SampleTable) -> Vec
     }
     let runs_at: Vec<Vec<usize>> = runs_at.into_values().collect();
     let asks = response.plan().asks.iter();
-    asks.filter(|ask| ask.location == Where::Cycle).map(|ask| draft_curve(response, table, ask, &runs_at)).collect()
+    asks.filter(|ask| ask.location.is_cycle()).map(|ask| draft_curve(response, table, ask, &runs_at)).collect()
 }
 
 fn draft_curve(response: &StudyResponse, table: &SampleTable, ask: &Ask, runs_at: &[Vec<usize>]) -> DraftCurve {
@@ -33,10 +33,7 @@ fn draft_curve(response: &StudyResponse, table: &SampleTable, ask: &Ask, runs_at
     let output = &plan.outputs[ask.output];
     let step = ask.columns.len().div_ceil(MAX_POSES).max(1);
     let columns: Vec<usize> = ask.columns.iter().copied().step_by(step).collect();
-    let angle = |&column: &usize| match plan.columns[column].spot {
-        Location::Pose { angle_rad, .. } => angle_rad,
-        Location::Reduced(_) => f64::NAN,
-    };
+    let angle = |&column: &usize| plan.columns[column].spot.pose().map_or(f64::NAN, |pose| pose.angle_rad);
     let pose_rad = columns.iter().map(angle).collect();
     let (lower_si, upper_si) = columns.iter().map(|&column| ends_si(table, column, runs_at)).unzip();
     let band = CurveRange { lower_si, upper_si };

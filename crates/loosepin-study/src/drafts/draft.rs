@@ -3,8 +3,8 @@
 use crate::assemble::{Material, asked_bounds, requirements};
 use crate::drafts::curves::draft_curves;
 use crate::drafts::progress::{Drafts, PilotRun};
-use crate::file::{Study, Where};
-use crate::response::columns::{BAND, Location};
+use crate::file::Study;
+use crate::response::columns::BAND;
 use crate::response::study_response::StudyResponse;
 use loosepin_bounds::{DoubleLoop, PlanError, Purpose, Request, RunInputs, SampleTable, Statistic};
 use loosepin_result::study::{Draft, ResponsePoint};
@@ -47,7 +47,7 @@ impl<'s> Drafting<'s> {
     /// The part of `plan` that a draft shows; `None` if there is none.
     fn without_curves(&self, plan: &DoubleLoop) -> Option<DoubleLoop> {
         let asks = || self.response.plan().asks.iter();
-        let curve = asks().find(|ask| ask.location == Where::Cycle);
+        let curve = asks().find(|ask| ask.location.is_cycle());
         // A curve alone needs the runs, but no bound of any of its points.
         let [middle, ..] = Statistic::of_curve_point(BAND);
         let pose = curve.and_then(|ask| ask.columns.first()).copied();
@@ -58,7 +58,7 @@ impl<'s> Drafting<'s> {
     /// Whether a request is of a single number of the whole recorded part.
     fn is_single_number(&self, request: &Request) -> bool {
         let column = self.response.plan().columns.get(request.column);
-        column.is_some_and(|column| matches!(column.spot, Location::Reduced(_)))
+        column.is_some_and(|column| column.spot.reduction().is_some())
     }
 
     fn draft(&self, plan: &DoubleLoop, table: &SampleTable) -> Result<Draft, PlanError> {

@@ -7,7 +7,7 @@ use super::sizes::MAX_POSES;
 use super::study::Study;
 use super::words::{REDUCTIONS, words};
 use crate::file::questions::ask::Ask;
-use crate::file::questions::location::{POSES, Where};
+use crate::file::questions::location::POSES;
 use crate::file::questions::output::{COMPONENT, DEVIATION, OUTPUT};
 use crate::file::questions::promise::PromiseTable;
 use crate::file::questions::question_settings::QuestionSettings;
@@ -125,15 +125,11 @@ impl Study {
             }
         }
         let (samples, turns) = (cycle.samples_per_turn, cycle.recorded_turns);
-        let has_curve = asks.iter().any(|ask| ask.location == Where::Cycle);
+        let has_curve = asks.iter().any(|ask| ask.location.is_cycle());
         if has_curve && turns * samples as f64 > MAX_POSES as f64 {
             diagnostics.push(Diagnostic::error(&EvaluationProblem::Poses { samples, turns }, None));
         }
-        let numbers = asks.iter().map(|ask| match &ask.location {
-            Where::Cycle => (turns * samples as f64).ceil() as usize,
-            Where::Poses { angles_rad } => angles_rad.len(),
-            Where::Reduced(_) => 1,
-        });
+        let numbers = asks.iter().map(|ask| ask.location.numbers((turns * samples as f64).ceil() as usize));
         let columns = numbers.fold(0, usize::saturating_add);
         if columns > MAX_COLUMNS {
             diagnostics.push(Diagnostic::error(&EvaluationProblem::Columns { columns }, None));

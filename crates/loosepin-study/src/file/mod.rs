@@ -43,7 +43,7 @@ pub use play::{PLAY, journal_words};
 pub use problem::{MeantLimit, StudyProblem};
 pub use questions::accuracy::AccuracyProblem;
 pub use questions::ask::{Ask, Asked};
-pub use questions::location::{Where, named_angle_rad};
+pub use questions::location::named_angle_rad;
 use questions::promise::PromiseTable;
 pub use questions::question_settings::QuestionSettings;
 pub use questions::requirement::{Limit, Requirement};

@@ -3,9 +3,9 @@
 use super::description::{Deviation, EpistemicInput, EpistemicSubject, RandomInput, RandomSubject};
 use super::problem::StudyProblem;
 use super::questions::ask::Asked;
-use super::questions::location::Where;
 use super::reader::StudyReader;
 use crate::file::measurements::specimen_problem::SpecimenProblem;
+use crate::places::Where;
 use loosepin_space::PlayDistribution;
 use loosepin_text::document::Entry;
 use loosepin_uncertainty::{Distribution, Members, RandomVariable};
@@ -101,7 +101,7 @@ impl StudyReader {
         if !deviation.is_some_and(|deviation| self.has_unknown_play(deviation)) {
             return;
         }
-        let is_magnitude = matches!(location, Some(Where::Reduced(reduction)) if reduction.is_never_negative());
+        let is_magnitude = location.and_then(Where::reduction).is_some_and(|reduction| reduction.is_never_negative());
         for (entry, asked) in entries {
             let is_of_one_side = match asked {
                 Asked::Contributors => true,
@@ -118,6 +118,6 @@ impl StudyReader {
 
     /// Whether a limit to both sides at poses can be judged: over the cycle the largest magnitude decides.
     pub(crate) fn can_judge_both_sides(&self, deviation: Deviation, location: &Where) -> bool {
-        *location == Where::Cycle || !self.has_unknown_play(deviation)
+        location.is_cycle() || !self.has_unknown_play(deviation)
     }
 }

@@ -7,8 +7,9 @@ use super::found::{Found, StudyRun};
 use super::kind::{Planned, Question, QuestionContext, QuestionKind, QuestionTable};
 use crate::assemble::{Material, SETTLED};
 use crate::error::StudyError;
-use crate::file::{Ask, Limit, MAX_RUNS, QuestionSettings, Study, Where};
-use crate::response::columns::{Location, StudyColumn};
+use crate::file::{Ask, Limit, MAX_RUNS, QuestionSettings, Study};
+use crate::places::Where;
+use crate::response::columns::StudyColumn;
 use crate::response::limits::MAX_RECORDED_TURNS;
 use crate::response::planar_response::check_turns;
 use crate::response::problem::PrepareError;
@@ -163,7 +164,7 @@ fn further_turns(settings: Settings, runs: &Runs<'_>) -> Result<FurtherTurnsResu
     longer.cycle.recorded_turns += f64::from(settings.turns);
     let ask = |&(column, reduction): &(usize, Reduction)| {
         let StudyColumn { output, deviation, .. } = plan.columns[column];
-        Ask::of_values(output, deviation, Where::Reduced(reduction))
+        Ask::of_values(output, deviation, Where::reduced(reduction))
     };
     longer.asks = columns.iter().map(ask).collect();
     longer.requirements.clear();
@@ -195,7 +196,7 @@ fn further_turns(settings: Settings, runs: &Runs<'_>) -> Result<FurtherTurnsResu
         }
     });
     let broken_later = plan.required().map(|(required, own)| {
-        let is_whole = required.location == Where::Cycle;
+        let is_whole = required.location.is_cycle();
         let place = columns.iter().position(|(column, _)| is_whole && *column == own)?;
         let is_kept = |value: f64| keeps(required.limit, value);
         let breaks = continued.iter().filter(|(recorded, later)| is_kept(recorded[own]) && !is_kept(later[place]));
@@ -211,10 +212,8 @@ fn further_turns(settings: Settings, runs: &Runs<'_>) -> Result<FurtherTurnsResu
 
 /// A column that more turns can only move one way.
 fn extreme((index, column): (usize, &StudyColumn)) -> Option<(usize, Reduction)> {
-    match column.spot {
-        Location::Reduced(reduction) => reduction.moved_by_more_turns().map(|_| (index, reduction)),
-        Location::Pose { .. } => None,
-    }
+    let reduction = column.spot.reduction()?;
+    reduction.moved_by_more_turns().map(|_| (index, reduction))
 }
 
 /// Excess of the later turns over the recorded ones. Where the recorded turns end a step ends, so that both differ by its error.

@@ -1,7 +1,8 @@
 //! A planar mechanism whose runs are integrated, as a function from uncertain inputs to numbers.
 
-use crate::file::{EpistemicSubject, MAX_POSES, Study, Where};
-use crate::response::columns::{ColumnPlan, Location};
+use crate::file::{EpistemicSubject, MAX_POSES, Study};
+use crate::places::Pose;
+use crate::response::columns::ColumnPlan;
 #[cfg(test)]
 use crate::response::extras::RunExtras;
 use crate::response::ideal_tables::IdealTables;
@@ -65,7 +66,7 @@ impl PlanarResponse {
         check_drive(study, model)?;
         check_turns(study.cycle.transient_turns, study.cycle.recorded_turns)?;
         let poses = study.cycle.recorded_turns * study.cycle.samples_per_turn as f64;
-        if poses > MAX_POSES as f64 && study.asks.iter().any(|ask| ask.location == Where::Cycle) {
+        if poses > MAX_POSES as f64 && study.asks.iter().any(|ask| ask.location.is_cycle()) {
             return Err(PrepareError::TooManyPoses { poses });
         }
         let nominal = model.quantities.evaluate(&middle)?;
@@ -251,7 +252,7 @@ const ROUND_OFF_OF_LOOPS: f64 = 1e-11;
 pub(super) fn check_poses(study: &Study, plan: &ColumnPlan) -> Result<(), PrepareError> {
     let recorded_turns = study.cycle.recorded_turns;
     for column in &plan.columns {
-        if let Location::Pose { turns, angle_rad } = column.spot
+        if let Some(Pose { turns, angle_rad }) = column.spot.pose()
             && turns > recorded_turns + POSE_ROUND_OFF
         {
             let output = plan.outputs[column.output].name.clone();
@@ -353,10 +354,7 @@ fn share_nominal(
         .columns
         .iter()
         .enumerate()
-        .filter_map(|(index, column)| match column.spot {
-            Location::Pose { turns, .. } => Some((turns, index)),
-            Location::Reduced(_) => None,
-        })
+        .filter_map(|(index, column)| Some((column.spot.pose()?.turns, index)))
         .collect();
     sort_by_number(&mut pose_order, |(turns, _)| *turns);
     let mut nominal_at_pose = vec![f64::NAN; plan.columns.len()];

@@ -1,7 +1,7 @@
 //! Recorded outputs of every run of a study, by their names in results.
 
-use crate::file::{Ask, Where};
-use crate::response::columns::{ColumnPlan, Location};
+use crate::file::Ask;
+use crate::response::columns::ColumnPlan;
 use crate::runs::table::{curve_name, scalar_name};
 use loosepin_text::units::SiUnit;
 
@@ -25,7 +25,7 @@ impl RecordedOutput {
         let mut push = |output: Option<Self>| {
             recorded.extend(output.filter(|output| recorded.iter().all(|known| known.name != output.name)));
         };
-        let asked = plan.asks.iter().map(|ask| (ask.location == Where::Cycle, &ask.columns));
+        let asked = plan.asks.iter().map(|ask| (ask.location.is_cycle(), &ask.columns));
         let required = plan.requirements.iter().map(|requirement| (false, &requirement.columns));
         for (is_curve, columns) in asked.chain(required) {
             if is_curve {
@@ -39,17 +39,14 @@ impl RecordedOutput {
 
     /// Recorded output of one question of a plan: a curve of all its angles, or one number.
     pub(crate) fn of_ask(plan: &ColumnPlan, ask: &Ask) -> Option<Self> {
-        match (&ask.location, &ask.columns[..]) {
-            (Where::Reduced(_), &[column]) => Self::number(plan, column),
-            (_, columns) => Self::curve(plan, columns),
+        match ask.columns[..] {
+            [column] if ask.location.reduction().is_some() => Self::number(plan, column),
+            _ => Self::curve(plan, &ask.columns),
         }
     }
 
     fn curve(plan: &ColumnPlan, columns: &[usize]) -> Option<Self> {
-        let angle = |&column: &usize| match plan.columns[column].spot {
-            Location::Pose { angle_rad, .. } => angle_rad,
-            Location::Reduced(_) => f64::NAN,
-        };
+        let angle = |&column: &usize| plan.columns[column].spot.pose().map_or(f64::NAN, |pose| pose.angle_rad);
         let first = *columns.first()?;
         let pose_rad = Some(columns.iter().map(angle).collect());
         Some(Self { name: curve_name(plan, first), pose_rad, columns: columns.to_vec(), ..Self::number(plan, first)? })

@@ -4,7 +4,7 @@
 //! read by looking inside the steps.
 
 use crate::file::{Deviation, Reduction};
-use crate::response::columns::{ColumnPlan, Location};
+use crate::response::columns::ColumnPlan;
 use crate::response::outputs::OutputSource;
 use loosepin_math::{Vec2, sort_ascending};
 use loosepin_mechanics::dynamics::Dynamics;
@@ -93,9 +93,7 @@ impl Shared {
         let (mut looked, mut looks, mut instants_turns) = (Vec::new(), Vec::new(), Vec::new());
         let mut looked_is_integrated = Vec::new();
         for column in &plan.columns {
-            if let Location::Pose { turns, .. } = column.spot {
-                instants_turns.push(turns);
-            }
+            instants_turns.extend(column.spot.pose().map(|pose| pose.turns));
         }
         sort_ascending(&mut instants_turns);
         instants_turns.dedup();
@@ -107,31 +105,29 @@ impl Shared {
             let followed = match plan.outputs[column.output].seen {
                 OutputSource::Wear(joint, measure) => Some(ColumnSource::Wear { joint, measure }),
                 OutputSource::InSpace(_) => None,
-                OutputSource::Reading(reading) => match (place(reading), column.spot) {
-                    (Some(reading), Location::Pose { turns, .. }) => {
-                        Some(ColumnSource::Instant { reading, instant: instant(turns) })
-                    }
-                    (Some(reading), Location::Reduced(reduction)) => {
-                        Some(follow_deviation(&mut follow.deviations, (reading, of), reduction))
-                    }
-                    (None, Location::Reduced(reduction)) if of.is_value() && is_integrated && reading.is_on_lanes() => {
+                OutputSource::Reading(reading) => match (place(reading), column.spot.reduction()) {
+                    (Some(reading), _) => Some(column.spot.turned_into(
+                        |pose| ColumnSource::Instant { reading, instant: instant(pose.turns) },
+                        |reduction| follow_deviation(&mut follow.deviations, (reading, of), reduction),
+                    )),
+                    (None, Some(reduction)) if of.is_value() && is_integrated && reading.is_on_lanes() => {
                         Some(follow_inside(&mut follow.inside, reading, reduction))
                     }
                     (None, _) => None,
                 },
-                OutputSource::Path([x, y], part) => place(x).zip(place(y)).map(|(x, y)| match column.spot {
-                    Location::Pose { turns, .. } => {
-                        ColumnSource::PathInstant { readings: [x, y], part, instant: instant(turns) }
-                    }
-                    Location::Reduced(reduction) => follow_path(&mut follow.paths, ([x, y], of), part, reduction),
+                OutputSource::Path([x, y], part) => place(x).zip(place(y)).map(|(x, y)| {
+                    column.spot.turned_into(
+                        |pose| ColumnSource::PathInstant { readings: [x, y], part, instant: instant(pose.turns) },
+                        |reduction| follow_path(&mut follow.paths, ([x, y], of), part, reduction),
+                    )
                 }),
             };
-            origins.push(followed.unwrap_or_else(|| match column.spot {
-                Location::Pose { .. } => {
+            origins.push(followed.unwrap_or_else(|| match column.spot.reduction() {
+                None => {
                     looks.push(index);
                     ColumnSource::Look
                 }
-                Location::Reduced(reduction) => {
+                Some(reduction) => {
                     let own = (column.output, of);
                     let deviation = looked.iter().position(|known| *known == own).unwrap_or_else(|| {
                         looked.push(own);
@@ -230,10 +226,7 @@ fn follow_inside(known: &mut Vec<Reading>, reading: Reading, reduction: Reductio
 
 /// Turns of the pose of a column; NaN for a reduced one.
 fn pose_turns(plan: &ColumnPlan, column: usize) -> f64 {
-    match plan.columns[column].spot {
-        Location::Pose { turns, .. } => turns,
-        Location::Reduced(_) => f64::NAN,
-    }
+    plan.columns[column].spot.pose().map_or(f64::NAN, |pose| pose.turns)
 }
 
 /// Follows one run. It owns what belongs to the run alone, since many runs go on side by side.
@@ -524,7 +517,7 @@ fn poses(dynamics: &Dynamics<'_, f64>) -> Vec<[f64; 3]> {
 mod tests {
     use crate::Study;
     use crate::file::Reduction;
-    use crate::response::columns::Location;
+    use crate::places::Location;
     use crate::response::planar_response::PlanarResponse;
     use crate::written::texts::study_with;
     use loosepin_result::study::PathError;
@@ -546,10 +539,7 @@ mod tests {
             });
             total.fold(0.0_f64, |most, (_, value)| most.max(value.abs()))
         };
-        [
-            of(&|spot| *spot == Location::Reduced(Reduction::largest_magnitude())),
-            of(&|spot| matches!(spot, Location::Pose { .. })),
-        ]
+        [of(&|spot| spot.reduction() == Some(Reduction::largest_magnitude())), of(&|spot| spot.pose().is_some())]
     }
 
     #[test]

@@ -10,7 +10,8 @@
 //! Where the places of the journals are drawn, both ends are what these places make.
 
 use crate::file::{Deviation, MAX_POSES, Reduction, Study};
-use crate::response::columns::{ColumnPlan, Location, StudyColumn};
+use crate::places::Location;
+use crate::response::columns::{ColumnPlan, StudyColumn};
 use crate::response::ends::{Ends, reduced};
 use crate::response::extras::RunExtras;
 use crate::response::input_targets::{InputTargets, in_the_middle};
@@ -105,10 +106,7 @@ impl SpatialResponse {
                 parts.push(own);
                 parts.len() - 1
             });
-            let place = match column.spot {
-                Location::Pose { turns: at, .. } => Some(nearest(&turns, at)),
-                Location::Reduced(_) => None,
-            };
+            let place = column.spot.pose().map(|pose| nearest(&turns, pose.turns));
             reads.push(Read { part, place });
         }
         // Play is counted to first order unless somebody asks what it makes: that needs a search.
@@ -216,7 +214,7 @@ impl SpatialResponse {
             let scatter = DEVIATIONS * at(place).sum::<f64>().sqrt();
             reduction.reach([lower - scatter, upper + scatter])
         };
-        let Location::Reduced(reduction) = spot else { return at(read.place.unwrap_or_default()).collect() };
+        let Some(reduction) = spot.reduction() else { return at(read.place.unwrap_or_default()).collect() };
         let mut furthest: Option<(f64, usize)> = None;
         for &(place, _) in &self.grid {
             // The first of several alike.
@@ -256,10 +254,8 @@ impl SpatialResponse {
 
     fn ends(&self, sample: &TurnSample, read: &Read, of: Deviation, spot: Location) -> Ends {
         let at = |place: usize| self.ends_at(sample, read.part, place, of);
-        match (read.place, spot) {
-            (None, Location::Reduced(reduction)) => {
-                reduced(reduction, self.grid.iter().map(|&(place, weight)| (at(place), weight)))
-            }
+        match (read.place, spot.reduction()) {
+            (None, Some(reduction)) => reduced(reduction, self.grid.iter().map(|&(place, weight)| (at(place), weight))),
             (place, _) => at(place.unwrap_or_default()),
         }
     }
@@ -294,10 +290,7 @@ impl Places {
         let is_closed = recorded_turns.fract() == 0.0 && !matches!(study.cycle.span, CycleSpan::Duration(_));
         let last = rows - usize::from(is_closed);
         let of_cycle: Vec<f64> = (0..=last).map(|row| recorded_turns * row as f64 / rows as f64).collect();
-        let asked = plan.columns.iter().filter_map(|column| match column.spot {
-            Location::Pose { turns, .. } => Some(turns),
-            Location::Reduced(_) => None,
-        });
+        let asked = plan.columns.iter().filter_map(|column| Some(column.spot.pose()?.turns));
         let is_new = |turns: &f64| (of_cycle[nearest(&of_cycle, *turns)] - turns).abs() > POSE_ROUND_OFF;
         let mut turns: Vec<f64> = of_cycle.iter().copied().chain(asked.filter(is_new)).collect();
         sort_ascending(&mut turns);

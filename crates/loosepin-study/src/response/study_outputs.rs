@@ -3,7 +3,7 @@
 use super::outputs::{COMPONENTS, OutputSource, StudyOutput};
 use super::spatial_outputs::spatial_outputs;
 use crate::model::StudyModel;
-use loosepin_mechanics::model::{Model, Recorded};
+use loosepin_mechanics::model::Model;
 use loosepin_result::study::PathError;
 use loosepin_simulate::{columns, relative_words};
 use loosepin_text::units::SiUnit;
@@ -36,32 +36,28 @@ fn planar_outputs(model: &Model) -> Vec<StudyOutput> {
                 seen: OutputSource::Reading(column.reading),
             });
         }
-        match output.kind.recorded() {
-            Recorded::Number(_) => {}
-            Recorded::Wear(joint, measure) => outputs.push(StudyOutput {
+        outputs.extend(output.kind.wear().map(|(joint, measure)| StudyOutput {
+            output: index,
+            name: output.name.clone(),
+            component: None,
+            words: measure.words(&model.joints[joint.0].name),
+            point: None,
+            unit: SiUnit::of_dimension(dimension),
+            dimension,
+            seen: OutputSource::Wear(joint, measure),
+        }));
+        if let (Some(point), [x, y]) = (output.kind.path(), &own[..]) {
+            let words = relative_words(model, point);
+            outputs.extend(PathError::ALL.map(|part| StudyOutput {
                 output: index,
-                name: output.name.clone(),
-                component: None,
-                words: measure.words(&model.joints[joint.0].name),
-                point: None,
-                unit: SiUnit::of_dimension(dimension),
+                name: format!("{} {}", output.name, part.word()),
+                component: Some(part.word()),
+                words: part.words(&words),
+                point: Some(format!("{} ({})", output.name, words)),
+                unit: x.unit.clone(),
                 dimension,
-                seen: OutputSource::Wear(joint, measure),
-            }),
-            Recorded::Path(point) => {
-                let [x, y] = own[..] else { continue };
-                let words = relative_words(model, point);
-                outputs.extend(PathError::ALL.map(|part| StudyOutput {
-                    output: index,
-                    name: format!("{} {}", output.name, part.word()),
-                    component: Some(part.word()),
-                    words: part.words(&words),
-                    point: Some(format!("{} ({})", output.name, words)),
-                    unit: x.unit.clone(),
-                    dimension,
-                    seen: OutputSource::Path([x.reading, y.reading], part),
-                }));
-            }
+                seen: OutputSource::Path([x.reading, y.reading], part),
+            }));
         }
     }
     outputs

@@ -1,7 +1,7 @@
 //! The runs of a study as a table: one row a run, every column with its name and unit: inputs, single numbers, status, counters.
 
-use crate::file::{EpistemicSubject, Study, Where, named_angle_rad};
-use crate::response::columns::{ColumnPlan, Location};
+use crate::file::{EpistemicSubject, Study, named_angle_rad};
+use crate::response::columns::ColumnPlan;
 use crate::response::extras::RunExtras;
 use crate::response::study_response::StudyResponse;
 use loosepin_bounds::SampleTable;
@@ -62,10 +62,10 @@ impl RunData {
 /// Name of a column with one number for each run.
 pub fn scalar_name(plan: &ColumnPlan, index: usize) -> String {
     let column = &plan.columns[index];
-    let at = match column.spot {
-        Location::Pose { angle_rad, .. } => format!("at {} rad", named_angle_rad(angle_rad)),
-        Location::Reduced(reduction) => reduction.word().to_owned(),
-    };
+    let at = column.spot.turned_into(
+        |pose| format!("at {} rad", named_angle_rad(pose.angle_rad)),
+        |reduction| reduction.word().to_owned(),
+    );
     format!("{} {at}", curve_name(plan, index))
 }
 
@@ -120,7 +120,7 @@ pub fn runs_table(study: &Study, response: &StudyResponse, table: &SampleTable) 
 
 /// Whether `column` is one number a run that was asked for, and no point of a curve.
 fn is_scalar(plan: &ColumnPlan, column: usize) -> bool {
-    let is_asked = plan.asks.iter().any(|ask| ask.location != Where::Cycle && ask.columns.contains(&column));
+    let is_asked = plan.asks.iter().any(|ask| !ask.location.is_cycle() && ask.columns.contains(&column));
     is_asked || plan.requirements.iter().any(|required| required.columns.contains(&column))
 }
 

@@ -1,6 +1,6 @@
 //! Poses that a study asks about: what answers without dynamics is said of these places first.
 
-use crate::file::{Study, Where};
+use crate::file::Study;
 use crate::response::outputs::{OutputSource, StudyOutput};
 use loosepin_result::study::PathError;
 use loosepin_simulate::accuracy::AskedPose;
@@ -13,7 +13,7 @@ impl Study {
         let asked = self.asks.iter().map(|own| (own.output, &own.location, false));
         let mut poses: Vec<AskedPose> = Vec::new();
         for (output, location, is_required) in required.chain(asked) {
-            let Where::Poses { angles_rad } = location else { continue };
+            let Some(angles_rad) = location.angles_rad() else { continue };
             let output = self.name_without_dynamics(&self.outputs[output]);
             for &pose_rad in angles_rad {
                 if !poses.iter().any(|known| known.output == output && known.pose_rad == pose_rad) {

@@ -4,7 +4,7 @@
 //! in its interval. What the proven ends of a deviation keep is kept by every mechanism within these limits, and at least
 //! 1 - Σ (1 - p_i) of all mechanisms are within them, p_i being the probability of one input, however the inputs go together.
 
-use crate::file::{Allowance, AllowedInput, Requirement, Study, Where};
+use crate::file::{Allowance, AllowedInput, Requirement, Study};
 use crate::response::input_limits::{DEVIATIONS, InputLimits};
 use crate::response::outputs::OutputSource;
 use loosepin_mechanics::mechanism::Mechanism;
@@ -141,9 +141,9 @@ impl Judge<'_> {
         let WithinLimits { ends, share, reason } = self.within_limits(limits, &questions)?;
         let all = self.study.requirements.iter().zip(&asked);
         let each = all.flat_map(|(requirement, asked)| {
-            let poses: Vec<Option<f64>> = match &requirement.location {
-                Where::Poses { angles_rad } => angles_rad.iter().map(|angle| Some(*angle)).collect(),
-                Where::Cycle | Where::Reduced(_) => vec![None],
+            let poses: Vec<Option<f64>> = match requirement.location.angles_rad() {
+                Some(angles_rad) => angles_rad.iter().map(|angle| Some(*angle)).collect(),
+                None => vec![None],
             };
             let reason = &reason;
             let ends = &ends;

@@ -2,7 +2,7 @@
 
 use super::judge::{over, proven_over_turn};
 use crate::file::Study;
-use crate::response::columns::{ColumnPlan, Location};
+use crate::response::columns::ColumnPlan;
 use crate::response::ends::{Ends, reduced};
 use crate::response::input_targets::in_the_middle;
 use loosepin_simulate::accuracy::DeviationQuestion;
@@ -34,14 +34,14 @@ pub(crate) fn proven_ends_si(study: &Study, plan: &ColumnPlan, columns: &[usize]
     let proven = (!questions.is_empty()).then(|| proven_over_turn(study, &nominal, POSITIONS, &questions)).flatten();
     let ends_si = |(column, asked): (&usize, Option<usize>)| {
         let own = &proven.as_ref()?[asked?];
-        let ends_si = match plan.columns[*column].spot {
-            Location::Pose { angle_rad, .. } => over(&own.drive_angle_rad, &own.proven_si, Some(angle_rad)),
-            Location::Reduced(reduction) => {
+        let ends_si = plan.columns[*column].spot.turned_into(
+            |pose| over(&own.drive_angle_rad, &own.proven_si, Some(pose.angle_rad)),
+            |reduction| {
                 let [lower, upper] = over(&own.drive_angle_rad, &own.proven_si, None);
                 let Ends { lower, upper } = reduced(reduction, std::iter::once((Ends { lower, upper }, 1.0)));
                 [lower, upper]
-            }
-        };
+            },
+        );
         ends_si.iter().all(|end| end.is_finite()).then_some(ends_si)
     };
     columns.iter().zip(asked).map(ends_si).collect()

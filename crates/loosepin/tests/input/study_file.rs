@@ -47,7 +47,7 @@ fn a_study_is_read_in_file_order_and_si() {
     assert_eq!(study.epistemic[0].variable.ends(), [1e-4, 5e-4]);
     assert_eq!(study.asks[0].location, Where::Cycle);
     assert_eq!(study.asks[0].asked[3], Asked::Statistic(Statistic::Quantile(0.975)));
-    assert_eq!(study.asks[1].location, Where::Reduced(Reduction::MaximumAbsolute));
+    assert_eq!(study.asks[1].location, Where::reduced(Reduction::MaximumAbsolute));
     assert_eq!(study.asks[1].asked[2], Asked::Statistic(Statistic::ProbabilityAbove(6e-4)));
     assert_eq!(study.requirements[0].deviation, Deviation::Total);
     assert_eq!((study.requirements[0].limit, study.requirements[0].probability_at_least), (Limit::Within(6e-4), 0.95));
@@ -56,7 +56,7 @@ fn a_study_is_read_in_file_order_and_si() {
 #[test]
 fn poses_and_limits_of_angles_are_in_radians() {
     let study = template("four-bar");
-    let Where::Poses { angles_rad } = &study.asks[1].location else { panic!("poses") };
+    let Some(angles_rad) = study.asks[1].location.angles_rad() else { panic!("poses") };
     assert_eq!(study.model.cycle_input(&study.model.quantities().nominal()).name, "crank");
     assert_eq!(*angles_rad, [60_f64.to_radians(), 240_f64.to_radians()]);
     assert_eq!(study.asks[1].asked[1], Asked::Statistic(Statistic::ProbabilityBeyond(0.1_f64.to_radians())));

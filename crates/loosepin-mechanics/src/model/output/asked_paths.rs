@@ -1,6 +1,5 @@
 //! Outputs for points that a command names: `--path coupler.tool`.
 
-use super::kind::Recorded;
 use super::{Motion, Output, OutputKind, PointPath, Position, Relative};
 use crate::model::ids::{Axis, PointId};
 use crate::model::parts::topology::Model;
@@ -41,8 +40,7 @@ impl Model {
 
     /// The name of the output that is the path of a point, or of the point.
     fn name_of_path(&self, point: PointId) -> String {
-        let is_own =
-            |own: &&Output| matches!(own.kind.recorded(), Recorded::Path(path) if path == Relative::to_ground(point));
+        let is_own = |own: &&Output| own.kind.path() == Some(Relative::to_ground(point));
         self.outputs.iter().find(is_own).map_or_else(|| self.point(point), |own| own.name.clone())
     }
 }

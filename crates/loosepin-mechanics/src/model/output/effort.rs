@@ -1,6 +1,6 @@
 //! Torque, force or power of a drive or control.
 
-use super::kind::{KindOfOutput, KindOfReading, Measure, Recorded};
+use super::kind::{KindOfOutput, KindOfReading, Measure};
 use super::reader::OutputReader;
 use super::state::OutputState;
 use crate::model::ids::Actuator;
@@ -73,8 +73,8 @@ impl KindOfOutput for Effort {
         }
     }
 
-    fn recorded(&self) -> Recorded<Self> {
-        Recorded::Number(*self)
+    fn reading(&self) -> Option<Self> {
+        Some(*self)
     }
 }
 

@@ -1,6 +1,6 @@
 //! The force of a joint.
 
-use super::kind::{KindOfOutput, KindOfReading, Measure, Recorded};
+use super::kind::{KindOfOutput, KindOfReading, Measure};
 use super::reader::{NeededKey, OutputReader, needed_choice};
 use super::state::OutputState;
 use crate::model::ids::JointId;
@@ -50,8 +50,8 @@ impl KindOfOutput for JointForce {
         Dimension::FORCE
     }
 
-    fn recorded(&self) -> Recorded<Self> {
-        Recorded::Number(*self)
+    fn reading(&self) -> Option<Self> {
+        Some(*self)
     }
 }
 

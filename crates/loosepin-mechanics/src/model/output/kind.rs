@@ -33,8 +33,20 @@ pub trait KindOfOutput: Sized {
     /// Dimension of its columns.
     fn dimension(&self) -> Dimension;
 
-    /// The part of a run that it records.
-    fn recorded(&self) -> Recorded<Self::Reading>;
+    /// The number that it has at each instant, which is one column; `None` of what has none.
+    fn reading(&self) -> Option<Self::Reading> {
+        None
+    }
+
+    /// The point whose path it is: two columns, x and y, and errors from its ideal path.
+    fn path(&self) -> Option<Relative<PointId>> {
+        None
+    }
+
+    /// The joint, and the measure of its wear after all cycles: one number of a run, without a history.
+    fn wear(&self) -> Option<(JointId, WearMeasure)> {
+        None
+    }
 
     /// The point that drawings mark for it.
     fn drawn_point(&self) -> Option<PointId> {
@@ -92,28 +104,6 @@ pub struct Measure {
     pub key: Key,
     /// The keys that mean something beside it.
     pub beside: &'static [&'static str],
-}
-
-/// The recorded part of a run for an output.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Recorded<R> {
-    /// A number at each instant: one column.
-    Number(R),
-    /// The path of a point: two columns, x and y, and errors from its ideal path.
-    Path(Relative<PointId>),
-    /// Wear of a joint after all cycles: one number of a run, without a history.
-    Wear(JointId, WearMeasure),
-}
-
-impl<R> Recorded<R> {
-    /// The same with its number turned into another.
-    pub fn map<S>(self, turn: impl FnOnce(R) -> S) -> Recorded<S> {
-        match self {
-            Self::Number(reading) => Recorded::Number(turn(reading)),
-            Self::Path(point) => Recorded::Path(point),
-            Self::Wear(joint, measure) => Recorded::Wear(joint, measure),
-        }
-    }
 }
 
 /// The number of an output that has none at an instant: there is no such value.

@@ -18,7 +18,7 @@ mod wear;
 
 pub use effort::{Effort, EffortMeasure};
 pub use joint_force::{Component, JointForce};
-pub use kind::{KindOfOutput, KindOfReading, Measure, NoReading, Recorded};
+pub use kind::{KindOfOutput, KindOfReading, Measure, NoReading};
 pub use motion::Motion;
 pub use path::PointPath;
 pub use position::{Derivative, Position, Relative, relative_words};
@@ -28,6 +28,7 @@ pub use stress::Stress;
 pub use wear::Wear;
 
 use super::ids::{BodyId, JointId, PointId};
+use crate::model::parts::wear::WearMeasure;
 use crate::model::words::part_names::PartNames;
 use loosepin_math::Real;
 use loosepin_text::document::{Key, Keys, Table, count_of, joined};
@@ -71,11 +72,21 @@ macro_rules! output_kinds {
                 match self { $(Self::$kind(kind) => kind.dimension(),)* }
             }
 
-            /// See [`KindOfOutput::recorded`].
-            pub fn recorded(&self) -> Recorded<Reading> {
+            /// See [`KindOfOutput::reading`].
+            pub fn reading(&self) -> Option<Reading> {
                 match self {
-                    $(Self::$kind(kind) => kind.recorded().map(|reading| Reading(ReadingKind::$kind(reading))),)*
+                    $(Self::$kind(kind) => kind.reading().map(|reading| Reading(ReadingKind::$kind(reading))),)*
                 }
+            }
+
+            /// See [`KindOfOutput::path`].
+            pub fn path(&self) -> Option<Relative<PointId>> {
+                match self { $(Self::$kind(kind) => kind.path(),)* }
+            }
+
+            /// See [`KindOfOutput::wear`].
+            pub fn wear(&self) -> Option<(JointId, WearMeasure)> {
+                match self { $(Self::$kind(kind) => kind.wear(),)* }
             }
 
             /// See [`KindOfOutput::drawn_point`].

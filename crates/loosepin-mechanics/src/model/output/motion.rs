@@ -1,6 +1,6 @@
 //! A position or angle, or one of its time derivatives.
 
-use super::kind::{KindOfOutput, KindOfReading, Measure, Recorded};
+use super::kind::{KindOfOutput, KindOfReading, Measure};
 use super::position::{Derivative, Position, relative_body, relative_point, relative_words};
 use super::reader::{NeededKey, OutputReader, needed_choice};
 use super::state::OutputState;
@@ -86,8 +86,8 @@ impl KindOfOutput for Motion {
         self.of.dimension(self.derivative)
     }
 
-    fn recorded(&self) -> Recorded<Self> {
-        Recorded::Number(*self)
+    fn reading(&self) -> Option<Self> {
+        Some(*self)
     }
 
     fn drawn_point(&self) -> Option<PointId> {

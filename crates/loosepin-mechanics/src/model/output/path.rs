@@ -1,6 +1,6 @@
 //! The path of a point.
 
-use super::kind::{KindOfOutput, Measure, NoReading, Recorded};
+use super::kind::{KindOfOutput, Measure, NoReading};
 use super::position::{Relative, relative_point};
 use super::reader::OutputReader;
 use crate::model::ids::PointId;
@@ -29,8 +29,8 @@ impl KindOfOutput for PointPath {
         Dimension::LENGTH
     }
 
-    fn recorded(&self) -> Recorded<NoReading> {
-        Recorded::Path(self.point)
+    fn path(&self) -> Option<Relative<PointId>> {
+        Some(self.point)
     }
 
     fn drawn_point(&self) -> Option<PointId> {

@@ -1,6 +1,6 @@
 //! The stress of a flexible body.
 
-use super::kind::{KindOfOutput, KindOfReading, Measure, Recorded};
+use super::kind::{KindOfOutput, KindOfReading, Measure};
 use super::reader::{BeamFacts, OutputReader};
 use super::state::OutputState;
 use crate::model::ids::BodyId;
@@ -52,8 +52,8 @@ impl KindOfOutput for Stress {
         Dimension::PRESSURE
     }
 
-    fn recorded(&self) -> Recorded<Self> {
-        Recorded::Number(*self)
+    fn reading(&self) -> Option<Self> {
+        Some(*self)
     }
 
     fn stressed_body(&self) -> Option<BodyId> {

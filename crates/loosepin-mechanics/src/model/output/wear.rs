@@ -1,6 +1,6 @@
 //! The wear of a joint.
 
-use super::kind::{KindOfOutput, Measure, NoReading, Recorded};
+use super::kind::{KindOfOutput, Measure, NoReading};
 use super::reader::{NeededKey, OutputReader, needed_choice};
 use crate::model::ids::JointId;
 use crate::model::parts::wear::WearMeasure;
@@ -48,7 +48,7 @@ impl KindOfOutput for Wear {
         self.measure.dimension()
     }
 
-    fn recorded(&self) -> Recorded<NoReading> {
-        Recorded::Wear(self.joint, self.measure)
+    fn wear(&self) -> Option<(JointId, WearMeasure)> {
+        Some((self.joint, self.measure))
     }
 }

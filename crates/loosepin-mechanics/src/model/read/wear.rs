@@ -8,7 +8,7 @@ use crate::model::parts::wear::{
     WearLife, WearMeasure, WearPressure,
 };
 use crate::model::problem::ModelProblem;
-use crate::model::{Contact, Joint, Output, Recorded};
+use crate::model::{Contact, Joint, Output};
 use loosepin_text::document::{Entry, EntryPath, Table, describe_path};
 use loosepin_text::numbers::QuantityId;
 use loosepin_text::units::{Dimension, Op, Rule};
@@ -186,7 +186,7 @@ impl ModelReader {
     pub(super) fn refuse_measures_of_fixed_wear(&mut self, outputs: &[Output], life: Option<&WearLife>) {
         let Some(life) = life else { return };
         for output in outputs {
-            let Recorded::Wear(_, measure) = output.kind.recorded() else { continue };
+            let Some((_, measure)) = output.kind.wear() else { continue };
             let needs = match measure {
                 WearMeasure::Clearance if life.geometry == WearGeometry::Fixed => "geometry = \"worn\"",
                 WearMeasure::Life if life.limit.is_none() => "geometry = \"worn\" and a limit",
@@ -213,7 +213,7 @@ impl ModelReader {
         };
         let name = self.numbers.reader.text(of)?;
         let name = name.strip_prefix("output.").unwrap_or(name).to_owned();
-        let has_history = |output: &Output| matches!(output.kind.recorded(), Recorded::Number(_));
+        let has_history = |output: &Output| output.kind.reading().is_some();
         let Some(output) = outputs.iter().position(|output| output.name == name && has_history(output)) else {
             let problem = ModelProblem::NoLimitedOutput { entry: of.path.describe(), output: name };
             return self.numbers.reader.refuse(&problem, of.span);

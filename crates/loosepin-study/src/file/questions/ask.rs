@@ -3,12 +3,13 @@
 use crate::file::description::RareMethod;
 use crate::file::measurements::specimen_problem::SpecimenProblem;
 use crate::file::problem::StudyProblem;
-use crate::file::questions::location::{POSES, Where};
+use crate::file::questions::location::POSES;
 use crate::file::questions::output::{COMPONENT, DEVIATION, OUTPUT};
 use crate::file::questions::target::AccuracyTarget;
 use crate::file::reader::StudyReader;
 use crate::file::sampling::ACCURACY;
 use crate::file::words::{PLAIN_STATISTICS, REDUCTIONS, STATISTICS, WITH_A_NUMBER, words};
+use crate::places::Where;
 use loosepin_bounds::{NumberKind, Reading, Statistic};
 use loosepin_result::study::{Deviation, Reduction, Side};
 use loosepin_text::diagnostics::{Diagnostic, Place};
@@ -166,14 +167,14 @@ pub fn furthest(statistic: Statistic) -> Reduction {
 /// A question about a curve without the small probabilities in it, then these: of leaving the limit anywhere in the cycle, which is what
 /// the furthest value over the cycle does.
 fn anywhere_in_the_cycle(mut ask: Ask) -> Vec<Ask> {
-    if ask.location != Where::Cycle {
+    if !ask.location.is_cycle() {
         return vec![ask];
     }
     let anywhere: Vec<Ask> = ask
         .by_method()
         .map(|(statistic, method)| Ask {
             asked: vec![Asked::Rare(statistic, method)],
-            ..Ask::of_values(ask.output, ask.deviation, Where::Reduced(furthest(statistic)))
+            ..Ask::of_values(ask.output, ask.deviation, Where::reduced(furthest(statistic)))
         })
         .collect();
     ask.asked.retain(|asked| !matches!(asked, Asked::Rare(..)));
@@ -228,7 +229,7 @@ impl StudyReader {
         let promised = self.promised_ends(table.promise.as_ref(), &entries);
         let asked = entries.into_iter().map(|(_, asked)| asked).collect();
         let ask = Ask { asked, promised, ..Ask::of_values(output, deviation, location) };
-        if ask.location != Where::Cycle && ask.bands().next().is_some() {
+        if !ask.location.is_cycle() && ask.bands().next().is_some() {
             let problem = StudyProblem::BandOfPoint { entry: table.table.path.describe() };
             return self.refused(&problem, statistics.span);
         }
@@ -257,7 +258,7 @@ impl StudyReader {
         output: Option<usize>,
         location: Where,
     ) -> Option<Where> {
-        if !self.is_wear(output) || location == Where::Reduced(Reduction::Maximum) {
+        if !self.is_wear(output) || location.reduction() == Some(Reduction::Maximum) {
             return Some(location);
         }
         let entry = places.into_iter().flatten().next()?;

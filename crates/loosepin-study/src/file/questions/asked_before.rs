@@ -2,21 +2,10 @@
 
 use crate::file::problem::StudyProblem;
 use crate::file::questions::ask::{Asked, furthest};
-use crate::file::questions::location::Where;
 use crate::file::reader::StudyReader;
+use crate::places::Where;
 use loosepin_result::study::Deviation;
 use loosepin_text::document::Entry;
-
-/// Angle by angle.
-fn places(location: &Where) -> Vec<Where> {
-    match location {
-        Where::Poses { angles_rad } => {
-            // Adding zero leaves one of the two zeros.
-            angles_rad.iter().map(|angle_rad| Where::Poses { angles_rad: vec![angle_rad + 0.0] }).collect()
-        }
-        _ => vec![location.clone()],
-    }
-}
 
 impl StudyReader {
     /// Reports questions `of` an output and a deviation that were already asked at the same place. `statistics` are the entries of the
@@ -24,16 +13,16 @@ impl StudyReader {
     pub(crate) fn check_new(&mut self, statistics: &[(Entry<'_>, Asked)], of: (usize, Deviation), location: &Where) {
         for (entry, asked) in statistics {
             // However it is estimated, a probability has one place in the results; of the cycle it is that of a magnitude.
-            let (asked, location) = match (*asked, location) {
-                (Asked::Rare(statistic, _), Where::Cycle) => {
-                    (Asked::Statistic(statistic), Where::Reduced(furthest(statistic)))
+            let (asked, location) = match *asked {
+                Asked::Rare(statistic, _) if location.is_cycle() => {
+                    (Asked::Statistic(statistic), Where::reduced(furthest(statistic)))
                 }
-                (Asked::Rare(statistic, _), location) => (Asked::Statistic(statistic), location.clone()),
-                (asked, location) => (asked, location.clone()),
+                Asked::Rare(statistic, _) => (Asked::Statistic(statistic), location.clone()),
+                asked => (asked, location.clone()),
             };
             // Two questions of the same name are the same question.
             let name = |location: Where| format!("{of:?} {location:?} {asked:?}");
-            let questions: Vec<String> = places(&location).into_iter().map(name).collect();
+            let questions: Vec<String> = location.angle_by_angle().into_iter().map(name).collect();
             if questions.iter().any(|question| self.questions.contains(question)) {
                 let what = self.reader.source.text()[self.reader.source.clamp(entry.span)].to_owned();
                 self.report(&StudyProblem::AskedTwice { entry: entry.path.describe(), what }, entry);

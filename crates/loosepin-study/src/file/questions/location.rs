@@ -4,23 +4,10 @@ use crate::file::problem::StudyProblem;
 use crate::file::reader::StudyReader;
 use crate::file::sizes::MAX_POSES;
 use crate::file::words::REDUCTIONS;
-use loosepin_result::study::{Deviation, Reduction};
+use crate::places::Where;
+use loosepin_result::study::Deviation;
 use loosepin_text::document::{Entry, Key, Kind, Reader, Written, optional};
 use loosepin_text::units::{Dimension, Rule, format_number, format_value, parse_quantity};
-
-/// Place in the cycle.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Where {
-    /// Everywhere: the curve over the cycle.
-    Cycle,
-    /// At angles of the cycle's input.
-    Poses {
-        /// The angles, rad, in file order.
-        angles_rad: Vec<f64>,
-    },
-    /// One number of the whole curve.
-    Reduced(Reduction),
-}
 
 /// Angles at which an output is asked for.
 pub(crate) const POSES: Key = optional(
@@ -44,12 +31,12 @@ impl StudyReader {
                 let problem = StudyProblem::AngleForCurve { entry: entry.path.describe(), found, drive };
                 return self.refused(&problem, entry.span);
             }
-            return self.reader.choice(entry, &[("cycle", ())]).map(|()| Where::Cycle);
+            return self.reader.choice(entry, &[("cycle", ())]).map(|()| Where::over_cycle());
         }
         if let Some(entry) = poses {
             return self.poses(entry, of);
         }
-        self.reader.choice(reduction.as_ref()?, &REDUCTIONS).map(Where::Reduced)
+        self.reader.choice(reduction.as_ref()?, &REDUCTIONS).map(Where::reduced)
     }
 
     fn poses(&mut self, entry: &Entry<'_>, of: Option<(usize, Deviation)>) -> Option<Where> {
@@ -89,7 +76,7 @@ impl StudyReader {
             }
             return None;
         }
-        Some(Where::Poses { angles_rad })
+        Some(Where::at_angles(angles_rad))
     }
 
     /// Two angles that the results could not distinguish, since both have the same name there.

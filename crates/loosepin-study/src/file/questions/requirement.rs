@@ -2,9 +2,10 @@
 
 use crate::file::problem::{MeantLimit, StudyProblem};
 use crate::file::questions::ask::furthest;
-use crate::file::questions::location::{POSES, Where};
+use crate::file::questions::location::POSES;
 use crate::file::questions::output::{COMPONENT, DEVIATION, OUTPUT};
 use crate::file::reader::StudyReader;
+use crate::places::Where;
 use loosepin_bounds::Statistic;
 use loosepin_result::study::{Deviation, Reduction};
 use loosepin_text::diagnostics::{Diagnostic, Place};
@@ -57,7 +58,7 @@ pub struct Requirement {
     pub deviation: Deviation,
     /// The limit.
     pub limit: Limit,
-    /// [`Where::Cycle`]: nowhere in the cycle is the limit exceeded; or poses, each of them by itself.
+    /// The whole cycle: nowhere in the cycle is the limit exceeded; or poses, each of them by itself.
     pub location: Where,
     /// The least probability, in (0, 1].
     pub probability_at_least: f64,
@@ -145,7 +146,7 @@ impl StudyReader {
         // A life is to be long, everything else of wear small.
         let is_life = self.is_life(output);
         let is_on_its_side = if is_life { matches!(limit, Limit::Above(_)) } else { matches!(limit, Limit::Below(_)) };
-        if self.is_wear(Some(output)) && !(location == Where::Cycle && is_on_its_side) {
+        if self.is_wear(Some(output)) && !(location.is_cycle() && is_on_its_side) {
             let entry = whole.path.describe();
             return self.refused(&StudyProblem::LimitOfWear { entry, is_life }, whole.span);
         }

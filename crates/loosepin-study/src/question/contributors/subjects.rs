@@ -1,7 +1,8 @@
 //! What contributors are stated of: the numbers that requirements and questions are about, at their places.
 
-use crate::file::{Ask, Deviation, Reduction, Where};
-use crate::response::columns::{ColumnPlan, Location, StudyColumn};
+use crate::file::{Ask, Deviation, Reduction};
+use crate::places::Location;
+use crate::response::columns::{ColumnPlan, StudyColumn};
 use loosepin_math::sort_by_number;
 use loosepin_result::study::RequirementOutcome;
 
@@ -20,10 +21,7 @@ pub struct Subject {
 impl Subject {
     /// The angle of the drive, if it is at a pose.
     pub fn pose_rad(&self, plan: &ColumnPlan) -> Option<f64> {
-        match plan.columns[self.columns[0]].spot {
-            Location::Pose { angle_rad, .. } if !self.is_curve => Some(angle_rad),
-            _ => None,
-        }
+        plan.columns[self.columns[0]].spot.pose().filter(|_| !self.is_curve).map(|pose| pose.angle_rad)
     }
 }
 
@@ -55,7 +53,7 @@ pub fn subjects(plan: &ColumnPlan, outcomes: &[RequirementOutcome]) -> Vec<Subje
 
 /// What an ask is about: a curve as a whole, poses one by one.
 fn of_ask(ask: &Ask) -> Vec<Subject> {
-    let is_curve = ask.location == Where::Cycle;
+    let is_curve = ask.location.is_cycle();
     let parts: Vec<&[usize]> = if is_curve { vec![&ask.columns[..]] } else { ask.columns.chunks(1).collect() };
     parts.into_iter().map(|columns| Subject { deviation: ask.deviation, columns: columns.to_vec(), is_curve }).collect()
 }
@@ -71,12 +69,12 @@ fn required(plan: &ColumnPlan, outcomes: &[RequirementOutcome], output: usize) -
 /// The numbers of the first question about an output: of a curve of deviations the largest of the cycle.
 fn first_asked(plan: &ColumnPlan, output: usize) -> Vec<Subject> {
     let Some(ask) = plan.asks.iter().find(|ask| ask.output == output) else { return Vec::new() };
-    if ask.location != Where::Cycle {
+    if !ask.location.is_cycle() {
         return of_ask(ask).into_iter().take(MAX_PLACES).collect();
     }
     let is_largest = |column: &StudyColumn| {
         (column.output, column.deviation) == (output, ask.deviation)
-            && column.spot == Location::Reduced(Reduction::largest_magnitude())
+            && column.spot == Location::reduced(Reduction::largest_magnitude())
     };
     match plan.columns.iter().position(is_largest) {
         Some(column) => vec![number(ask.deviation, column)],

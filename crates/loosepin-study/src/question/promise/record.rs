@@ -2,7 +2,7 @@
 
 use super::promised::Promised;
 use crate::assemble::Material;
-use crate::file::{Ask, Where};
+use crate::file::Ask;
 use loosepin_bounds::{PromisedBound, Request, SimultaneousBand};
 use loosepin_result::study::{CurveRange, PromiseRecord, PromisedBand, PromisedEnd, RequirementOutcome, Side};
 
@@ -43,7 +43,7 @@ fn promised_band(material: &Material<'_>, band: &SimultaneousBand, factor: &Prom
 fn promised_end(material: &Material<'_>, found: &PromisedBound) -> PromisedEnd {
     let Request { column, statistic } = found.asked.request;
     let is_in = |ask: &&Ask| ask.columns.contains(&column);
-    let in_curve = material.plan().asks.iter().find(is_in).is_some_and(|ask| ask.location == Where::Cycle);
+    let in_curve = material.plan().asks.iter().find(is_in).is_some_and(|ask| ask.location.is_cycle());
     PromisedEnd {
         output: material.name_of(column),
         of: material.plan().columns[column].deviation,

@@ -1,7 +1,7 @@
 //! The plan of the surrogates of a study.
 
 use crate::error::StudyError;
-use crate::file::{Study, StudySurrogate, Where};
+use crate::file::{Study, StudySurrogate};
 use crate::planning::problem::problem;
 use crate::response::columns::ColumnPlan;
 use crate::response::study_response::StudyResponse;
@@ -37,7 +37,7 @@ fn groups(plan: &ColumnPlan) -> Vec<ColumnGroup> {
         format!("{} {of}", plan.outputs[plan.columns[column].output].name)
     };
     let is_known = |groups: &[ColumnGroup], column: &usize| groups.iter().any(|group| group.columns.contains(column));
-    for ask in plan.asks.iter().filter(|ask| ask.location == Where::Cycle) {
+    for ask in plan.asks.iter().filter(|ask| ask.location.is_cycle()) {
         let columns: Vec<usize> = ask.columns.iter().copied().filter(|column| !is_known(&groups, column)).collect();
         if let Some(&first) = columns.first() {
             groups.push(ColumnGroup { name: name(first), columns });

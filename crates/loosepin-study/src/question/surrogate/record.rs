@@ -2,7 +2,6 @@
 
 use super::saved::{SavedInput, SavedOutput, SavedSurrogates};
 use crate::assemble::{Material, asked_bounds, learned_treatments};
-use crate::response::columns::Location;
 use loosepin_bounds::{GroupBounds, SurrogateBounds, SurrogateInput, SurrogatePlan};
 use loosepin_result::study::{
     ResponsePoint, SurrogateAlong, SurrogateLearning, SurrogateOutput, SurrogatePicture, SurrogateRecord,
@@ -74,10 +73,7 @@ fn output(material: &Material<'_>, plan: &SurrogatePlan, group: &GroupBounds) ->
     let learning = learned.residual.learning.iter();
     record.learning =
         learning.map(|&(runs, held_out_si)| SurrogateLearning { runs: runs as u64, held_out_si }).collect();
-    let pose = |column: usize| match material.response.plan().columns[column].spot {
-        Location::Pose { angle_rad, .. } => Some(angle_rad),
-        Location::Reduced(_) => None,
-    };
+    let pose = |column: usize| material.response.plan().columns[column].spot.pose().map(|pose| pose.angle_rad);
     record.along = is_curve.then(|| SurrogateAlong {
         pose_rad: columns.iter().map(|&column| pose(column).unwrap_or(f64::NAN)).collect(),
         held_out_si: learned.quality.rms_along.clone(),
