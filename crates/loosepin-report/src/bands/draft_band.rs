@@ -6,7 +6,7 @@ use serde::Serialize;
 use crate::charts::chart::{Chart, Entry, EntryValues, Role, scaled};
 use crate::charts::figure::name_of;
 use crate::numbers::number::{NumberWriter, Rounding};
-use crate::study::answer::limits_words;
+use crate::words::limits::limits_words;
 use crate::words::wording::{capitalised, deviation_of, deviation_words};
 use loosepin_result::study::{Draft, DraftCurve, RequirementOutcome, ResponsePoint};
 

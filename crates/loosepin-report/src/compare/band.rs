@@ -10,7 +10,7 @@ use super::sides::for_both;
 use crate::charts::chart::{Chart, Entry, EntryValues, Role, scaled};
 use crate::charts::figure::name_of;
 use crate::numbers::number::{NumberWriter, Rounding};
-use crate::study::answer::requirement_words;
+use crate::words::limits::requirement_words;
 use crate::words::wording::{capitalised, deviation_of, deviation_words};
 use loosepin_result::study::{DeviationCurve, RequirementOutcome, ResponsePoint, StudyResult};
 

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::numbers::number::{NumberWriter, Rounding};
-use crate::study::answer::requirement_words;
+use crate::words::limits::requirement_words;
 use crate::words::wording::{deviation_of, output_unit, place_words};
 use loosepin_result::study::{RequirementOutcome, StudyResult, Verdict};
 

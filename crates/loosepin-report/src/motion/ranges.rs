@@ -16,7 +16,7 @@ pub(super) fn ranges_section(record: &MotionRecord, writer: &NumberWriter) -> Op
         return None;
     }
     let mut section = Section::headed_on_page("outputs", "Outputs");
-    let numbers = ["smallest", "largest", "most play", "at", "proven", "standard deviation"];
+    let numbers = ["smallest", "largest", "worst by play", "at", "proven", "standard deviation"];
     let numbers = numbers.map(|words| Column::numbers(head(words)));
     let columns = std::iter::once(Column::words(head("output"))).chain(numbers).collect();
     section.push(Content::Table(Table::new(columns, record.outputs.iter().map(|output| row(record, output, writer)))));

@@ -3,7 +3,7 @@
 use crate::medium::short_answer::Said;
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::Tag;
-use crate::study::answer::limits_words;
+use crate::words::limits::limits_words;
 use crate::words::wording::{capitalised, deviation_words};
 use loosepin_result::motion::{MotionAllowance, MotionRecord, MotionRequirement, MotionVerdict};
 use loosepin_text::units::SiUnit;

@@ -7,13 +7,13 @@ use crate::study::way_to_decide::way_to_decide;
 use crate::words::error::{ErrorWords, error_words};
 use crate::words::failed::failed_sentence;
 use crate::words::force::{JointForces, force_warnings, study_sentences};
+use crate::words::limits::requirement_words;
 use crate::words::turn::{is_broken_later, turns_sentence};
 use crate::words::wording::{
-    capitalised, counted, deviation_of, is_by_surrogate, listed, output_unit, path_part, place_words, verdict_words,
+    capitalised, counted, deviation_of, is_by_surrogate, listed, output_unit, place_words, verdict_words,
 };
 use loosepin_result::study::{
-    Deviation, DeviationCurve, FurtherOutput, InputKind, PathError, PromiseRecord, RequirementOutcome, StudyResult,
-    Verdict,
+    Deviation, DeviationCurve, FurtherOutput, InputKind, PromiseRecord, StudyResult, Verdict,
 };
 use loosepin_text::units::SiUnit;
 
@@ -271,35 +271,6 @@ fn promised_share(promise: &PromiseRecord, least_share: f64, writer: &NumberWrit
         given.percent(promise.share, Rounding::Down),
         given.percent(promise.confidence, Rounding::Down),
     )
-}
-
-/// The limits of a requirement; a distance stays within its limit, which has no sign.
-pub(crate) fn requirement_words(
-    result: &StudyResult,
-    requirement: &RequirementOutcome,
-    unit: &SiUnit,
-    writer: &NumberWriter,
-) -> String {
-    let RequirementOutcome { lower_si, upper_si, .. } = *requirement;
-    let is_distance = matches!(path_part(&requirement.output, &result.outputs), Some((_, PathError::Magnitude)));
-    if is_distance && lower_si == -upper_si && upper_si.is_finite() {
-        return format!("within {}", writer.with_tag(&Tag::Given("required limit")).value_shortest(upper_si, unit));
-    }
-    limits_words(lower_si, upper_si, unit, writer)
-}
-
-/// "within ±0.6 mm", "below 0.6 mm", "between −0.2 and 0.6 mm".
-pub(crate) fn limits_words(lower_si: f64, upper_si: f64, unit: &SiUnit, writer: &NumberWriter) -> String {
-    let writer = writer.with_tag(&Tag::Given("required limit"));
-    match (lower_si.is_finite(), upper_si.is_finite()) {
-        (true, true) if lower_si == -upper_si => format!("within ±{}", writer.value_shortest(upper_si, unit)),
-        (true, true) => {
-            format!("between {} and {}", writer.shortest(lower_si, unit), writer.value_shortest(upper_si, unit))
-        }
-        (true, false) => format!("above {}", writer.value_shortest(lower_si, unit)),
-        (false, true) => format!("below {}", writer.value_shortest(upper_si, unit)),
-        (false, false) => "anywhere".to_owned(),
-    }
 }
 
 /// How finely the box of the unknown values was seen, and by single runs. Where surrogates answer, direct runs stand at their bounds alone.

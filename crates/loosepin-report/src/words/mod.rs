@@ -8,6 +8,7 @@ pub(crate) mod few_samples;
 pub(crate) mod force;
 pub(crate) mod glossary;
 pub(crate) mod history;
+pub(crate) mod limits;
 pub(crate) mod round_off;
 pub(crate) mod trust;
 pub(crate) mod turn;

@@ -76,9 +76,11 @@ impl TrustedRun<'_> {
             )];
         }
         let mut sentences = vec![match (parts.is_empty(), coarsest.map(given)) {
-            (true, Some(never)) => format!("{} cannot be trusted to {never}.", self.subject),
-            (_, Some(never)) => format!("{} can be trusted {}; never to {never}.", self.subject, listed(&parts)),
-            (_, None) => format!("{} can be trusted {}.", self.subject, listed(&parts)),
+            (true, Some(never)) => format!("{} are not numerically accurate to {never}.", self.subject),
+            (_, Some(never)) => {
+                format!("{} are numerically accurate {}; never to {never}.", self.subject, listed(&parts))
+            }
+            (_, None) => format!("{} are numerically accurate {}.", self.subject, listed(&parts)),
         }];
         match (&measured.failure, measured.time_s.last()) {
             (Some(failure), Some(&last_s)) => sentences.push(format!(
@@ -227,7 +229,7 @@ mod tests {
             [horizon(1e-5, Some(0.0151), false), horizon(1e-6, Some(0.0132), false), horizon(1e-7, None, false)];
         assert_eq!(
             words(&measured(&parted, None, None), true),
-            "Positions can be trusted to 0.01 mm until 15.10 ms (1.2 recorded turns) and to 0.001 mm until 13.20 ms (1.1 recorded turns); \
+            "Positions are numerically accurate to 0.01 mm until 15.10 ms (1.2 recorded turns) and to 0.001 mm until 13.20 ms (1.1 recorded turns); \
              never to 0.0001 mm. After that the run shows one of many possible histories. Statistics over many turns do not need exact positions."
         );
     }
@@ -242,11 +244,13 @@ mod tests {
         let one = [horizon(1e-5, Some(0.0151), false), horizon(1e-6, None, false), horizon(1e-7, None, false)];
         let told = words(&measured(&one, None, None), false);
         assert!(
-            told.starts_with("Positions can be trusted to 0.01 mm until 15.10 ms (1.2 turns); never to 0.001 mm."),
+            told.starts_with(
+                "Positions are numerically accurate to 0.01 mm until 15.10 ms (1.2 turns); never to 0.001 mm."
+            ),
             "{told}"
         );
         let stopped = words(&measured(&none, None, Some("no memory")), false);
-        assert!(stopped.starts_with("Positions cannot be trusted to 0.01 mm."), "{stopped}");
+        assert!(stopped.starts_with("Positions are not numerically accurate to 0.01 mm."), "{stopped}");
     }
 
     #[test]
@@ -255,12 +259,12 @@ mod tests {
             [horizon(1e-5, Some(0.024), true), horizon(1e-6, Some(0.024), true), horizon(1e-7, Some(0.0132), false)];
         assert_eq!(
             words(&measured(&most, Some(6.21e-7), None), false),
-            "Positions can be trusted to 0.0007 mm until the end of the run and to 0.0001 mm until 13.20 ms (1.1 turns)."
+            "Positions are numerically accurate to 0.0007 mm until the end of the run and to 0.0001 mm until 13.20 ms (1.1 turns)."
         );
         let all = most.map(|horizon| TrustHorizon { until_s: Some(0.024), is_end: true, ..horizon });
         assert_eq!(
             words(&measured(&all, Some(1e-9), None), false),
-            "Positions can be trusted to 1e-6 mm until the end of the run."
+            "Positions are numerically accurate to 1e-6 mm until the end of the run."
         );
     }
 
@@ -269,7 +273,7 @@ mod tests {
         let until = [horizon(1e-5, Some(0.0199), false)];
         assert_eq!(
             words(&measured(&until, None, Some("the limit of 1000 evaluations was reached")), false),
-            "Positions can be trusted to 0.01 mm until 19.90 ms (1.6 turns). Nothing is known about positions after 19.90 ms: the second run that measures this did not finish (the limit of 1000 evaluations was reached)."
+            "Positions are numerically accurate to 0.01 mm until 19.90 ms (1.6 turns). Nothing is known about positions after 19.90 ms: the second run that measures this did not finish (the limit of 1000 evaluations was reached)."
         );
         assert_eq!(words(&Trust::NotMeasured, false), "It was not measured how long the positions can be trusted.");
         assert_eq!(words(&Trust::Solved, false), "");

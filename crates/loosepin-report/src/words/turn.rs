@@ -2,7 +2,8 @@
 
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::Tag;
-use crate::words::wording::{count, counted, deviation_of, listed, output_unit, output_words};
+use crate::words::limits::requirement_words;
+use crate::words::wording::{count, counted, deviation_of, deviation_words, listed, output_unit, output_words};
 use loosepin_result::study::{FurtherOutput, FurtherTurns, RequirementOutcome, StudyResult};
 
 /// Outputs that are shown; all of them are in the files.
@@ -69,15 +70,25 @@ fn extreme_words(one: &FurtherOutput, result: &StudyResult) -> String {
     }
 }
 
-/// " None of these runs left the limit of slider later."
+/// " None of these runs left the limit of slider later." Of an output with several limits each is told by itself.
 fn broken_words(result: &StudyResult, further: &FurtherTurns, writer: &NumberWriter) -> String {
     let of_one = |(requirement, broken): (&RequirementOutcome, &Option<u64>)| {
         let output = &requirement.output;
+        let is_alone = result.requirements.iter().filter(|other| other.output == *output).count() == 1;
+        let limit = if is_alone {
+            output.clone()
+        } else {
+            format!(
+                "{output} ({}, {})",
+                deviation_words(requirement.of),
+                requirement_words(result, requirement, &output_unit(result, output), writer)
+            )
+        };
         let tag = Tag::requirement(requirement, "broken later");
         Some(match (*broken)? {
-            0 => format!(" None of these runs left the limit of {output} later."),
+            0 => format!(" None of these runs left the limit of {limit} later."),
             more => format!(
-                " {} of these runs left the limit of {output} only in the further turns: over more turns, fewer mechanisms keep it than stated.",
+                " {} of these runs left the limit of {limit} only in the further turns: over more turns, fewer mechanisms keep it than stated.",
                 writer.with_tag(&tag).count(more)
             ),
         })

@@ -390,8 +390,8 @@ fn warnings_stand_after_the_answer_on_a_terminal_and_with_the_verdict_on_a_page(
     assert_says(
         &result,
         "does not repeat from turn to turn. In 5 further turns (64 runs), the largest deviation of slider grew by at most 0.042 mm (mean \
-         0.0087 mm). None of these runs left the limit of slider later. 3 of these runs left the limit of slider only in the further turns: over more turns, fewer mechanisms \
-         keep it than stated.",
+         0.0087 mm). None of these runs left the limit of slider (deviation, within ±0.7 mm) later. 3 of these runs left the limit of slider (deviation, within ±0.5 mm) \
+         only in the further turns: over more turns, fewer mechanisms keep it than stated.",
     );
     // It overturns a verdict: page and short answer have it too.
     for text in [study_page(&result), study_sentences(&result).join(" ")] {

@@ -10,9 +10,9 @@ use crate::charts::zone_figure::zone_figure;
 use crate::medium::script_data::round_to_digits;
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::{Tag, same_wording};
-use crate::study::answer::requirement_words;
 use crate::words::failed::why_quantile_has_no_end;
 use crate::words::few_samples::too_few_samples;
+use crate::words::limits::requirement_words;
 use crate::words::wording::{capitalised, deviation_words, output_words, path_part, place_words};
 use loosepin_result::study::{
     BoundRecord, CurveRange, Deviation, DeviationCurve, Event, InputKind, ProbabilityBox, RequirementOutcome,

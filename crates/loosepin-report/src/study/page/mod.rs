@@ -17,13 +17,14 @@ use crate::medium::page::{Frame, Page, Section};
 use crate::motion::spatial::{joints_section, spatial_motion_figure};
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::Tag;
-use crate::study::answer::{StudyAnswer, answer, requirement_words, verdict_headline};
+use crate::study::answer::{StudyAnswer, answer, verdict_headline};
 use crate::study::repeat_section::study_repeat_section;
 use crate::study::sections::{
     accuracy_section, allowed_section, answers_section, bounds_section, contributors_overview, contributors_section,
     degrees_section, percentiles_section, places_section, promise_section, rare_section, runs_section,
     surrogate_section, treatments_section,
 };
+use crate::words::limits::requirement_words;
 use crate::words::wording::{
     UNKNOWN_INPUTS, counted, deviation_words, has_unknown, output_unit, place_words, verdict_words,
 };
