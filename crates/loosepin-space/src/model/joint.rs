@@ -148,17 +148,27 @@ record! {
     include tilts: Tilts<'t>;
 }
 
-/// The kinds with their keys.
-pub(super) const JOINTS: &[(&str, &Keys)] = &[
-    (RevoluteTable::WORD, &RevoluteTable::KEYS),
-    (PrismaticTable::WORD, &PrismaticTable::KEYS),
-    (CylindricalTable::WORD, &CylindricalTable::KEYS),
-    (SphericalTable::WORD, &SphericalTable::KEYS),
-    (UniversalTable::WORD, &UniversalTable::KEYS),
-    (PlanarTable::WORD, &PlanarTable::KEYS),
-    (ScrewTable::WORD, &ScrewTable::KEYS),
-    (RigidTable::WORD, &RigidTable::KEYS),
-];
+/// Lists the kinds once: the table of each, and the function that reads it.
+macro_rules! joint_tables {
+    ($($table:ident => $read:ident),* $(,)?) => {
+        /// The kinds with their keys.
+        pub(super) const JOINTS: &[(&str, &Keys)] = &[$(($table::WORD, &$table::KEYS),)*];
+
+        /// The functions that read their tables, in the same order.
+        const READERS: &[fn(&mut SpaceReader, Table<'_>) -> Option<Read>] = &[$(SpaceReader::$read,)*];
+    };
+}
+
+joint_tables! {
+    RevoluteTable => revolute,
+    PrismaticTable => prismatic,
+    CylindricalTable => cylindrical,
+    SphericalTable => spherical,
+    UniversalTable => universal,
+    PlanarTable => planar,
+    ScrewTable => screw,
+    RigidTable => rigid,
+}
 
 /// Where a joint is, before its kind and its play.
 type Markers = [ModelMarker; 2];
@@ -181,24 +191,8 @@ impl SpaceReader {
 
     fn read_joint(&mut self, entry: &Entry<'_>) -> Option<ModelJoint> {
         let (word, table) = self.numbers.table_of_kind(entry, JOINTS)?;
-        let (form, [bearing, journal], play) = match word {
-            RevoluteTable::WORD => self.revolute(table),
-            CylindricalTable::WORD => self.cylindrical(table),
-            SphericalTable::WORD => self.spherical(table),
-            UniversalTable::WORD => self.universal(table),
-            PlanarTable::WORD => self.planar(table),
-            ScrewTable::WORD => self.screw(table),
-            PrismaticTable::WORD => {
-                let own = PrismaticTable::of(self, table)?;
-                let held = self.held(&own.table, Prismatic.into(), &own.points, &own.axes, &own.across);
-                self.off(held, &own.shifts, Some(&own.tilts))
-            }
-            _ => {
-                let own = RigidTable::of(self, table)?;
-                let held = self.held(&own.table, Rigid.into(), &own.points, &own.axes, &own.across);
-                self.off(held, &own.shifts, Some(&own.tilts))
-            }
-        }?;
+        let read = JOINTS.iter().zip(READERS).find(|((known, _), _)| *known == word)?.1;
+        let (form, [bearing, journal], play) = read(self, table)?;
         if bearing.point.body == journal.point.body {
             let body = self.bodies[bearing.point.body].name.clone();
             let problem = EntryProblem::SameBody { entry: entry.path.describe(), body };
@@ -224,6 +218,18 @@ impl SpaceReader {
         });
         let found = markers.map(|markers| (ModelJointForm::Plain(Revolute.into()), markers, play));
         self.off(found, &own.shifts, Some(&own.tilts))
+    }
+
+    fn prismatic(&mut self, table: Table<'_>) -> Option<Read> {
+        let own = PrismaticTable::of(self, table)?;
+        let held = self.held(&own.table, Prismatic.into(), &own.points, &own.axes, &own.across);
+        self.off(held, &own.shifts, Some(&own.tilts))
+    }
+
+    fn rigid(&mut self, table: Table<'_>) -> Option<Read> {
+        let own = RigidTable::of(self, table)?;
+        let held = self.held(&own.table, Rigid.into(), &own.points, &own.axes, &own.across);
+        self.off(held, &own.shifts, Some(&own.tilts))
     }
 
     fn cylindrical(&mut self, table: Table<'_>) -> Option<Read> {
