@@ -14,8 +14,8 @@ const MIN_POSITIONS_PER_TURN: f64 = 36.0;
 const POSITIONS_TIMES_SQUARES: f64 = 5e7;
 /// Turns that are looked at, at most: later ones repeat them unless several drives differ in speed.
 const MAX_TURNS: f64 = 20.0;
-/// Steps along the motion that are made, at most: a second drive may be very much faster than the one that counts.
-const MAX_STEPS: f64 = 3e5;
+/// Steps along the motion that are looked at, at most, a thousand turns of the fastest drive: it may be very much faster than the one that counts.
+const MAX_STEPS: f64 = 31_416.0;
 /// The mechanism is where it was a turn before when no body is further off than this share of its size, or turned by more, rad.
 const SAME: f64 = 1e-6;
 /// Share of a turn that the dynamic trial lasts.

@@ -14,7 +14,7 @@ use crate::mechanism::tree::kinematics::{Kinematics, Twist};
 use crate::mechanism::tree::mobility::eliminate_free;
 use crate::mechanism::tree::motion_branches::{MotionBranches, motion_branches};
 use crate::mechanism::tree::spanning_tree::Tree;
-use crate::model::TimeDual;
+use crate::model::{DriveId, TimeDual};
 use loosepin_math::{Dual, solve_square};
 
 /// Newton steps before a loop is given up; from a good prediction two or three are enough.
@@ -108,7 +108,8 @@ impl<'a> IdealMotion<'a> {
         const LOOKS: u32 = 16;
         let fastest = self.kinematics.twists.iter().fold(0.0_f64, |f, twist| f.max(twist.angular.abs()));
         let span = time_s - self.time_s;
-        let driven = self.fastest_drive_1_s(time_s, (0..=LOOKS).map(|look| f64::from(look) / f64::from(LOOKS)));
+        let looks = (0..=LOOKS).map(|look| f64::from(look) / f64::from(LOOKS));
+        let driven = self.fastest_drive_1_s(time_s, looks, |_| self.drive_scale());
         let steps = (span.abs() * fastest.max(driven) / MAX_STEP_RAD).ceil().clamp(1.0, 1e6) as usize;
         let start_s = self.time_s;
         for step in 1..=steps {
@@ -120,11 +121,16 @@ impl<'a> IdealMotion<'a> {
         Ok(())
     }
 
-    /// Steps along the motion from here to `time_s`, as far as the drives alone tell.
+    /// Steps of a fifth of a radian, or of the size of the mechanism, in which the drives go from here to `time_s`. [`Self::move_to`] makes at least as many.
     pub fn steps_to(&self, time_s: f64) -> f64 {
+        let model = &self.mechanism.model;
+        let scale = |drive: DriveId| {
+            let joint = &model.joints[model.drives[drive.0].joint.0];
+            if joint.kind.slides() { self.mechanism.size_m } else { 1.0 }
+        };
         // Multiples of the golden ratio: no period of a drive repeats itself in them.
         let looks = (0_u32..64).map(|look| (f64::from(look) * GOLDEN_RATIO).fract());
-        (time_s - self.time_s).abs() * self.fastest_drive_1_s(time_s, looks) / MAX_STEP_RAD
+        (time_s - self.time_s).abs() * self.fastest_drive_1_s(time_s, looks, scale) / MAX_STEP_RAD
     }
 
     /// Guesses the free coordinates at `next_s`: by the polynomial of degree five through the present state and the one before it,
@@ -178,21 +184,26 @@ impl<'a> IdealMotion<'a> {
         self.held_s = time_s;
     }
 
-    /// The fastest drive between the present time and `time_s`, 1/s. One that does not run at constant speed is looked at after these shares of
-    /// the time between.
-    fn fastest_drive_1_s(&self, time_s: f64, shares: impl Iterator<Item = f64> + Clone) -> f64 {
-        let (model, scale) = (&self.mechanism.model, self.drive_scale());
+    /// The fastest drive between the present time and `time_s`, 1/s, in units of its scale. One that does not run at constant speed is looked at
+    /// after these shares of the time between.
+    fn fastest_drive_1_s(
+        &self,
+        time_s: f64,
+        shares: impl Iterator<Item = f64> + Clone,
+        scale: impl Fn(DriveId) -> f64,
+    ) -> f64 {
+        let model = &self.mechanism.model;
         let mut fastest = 0.0_f64;
         for &drive in &self.mechanism.ideal.drives {
             if let Some(speed) = self.drives.constant_speed(drive) {
-                fastest = fastest.max(speed.abs() / scale);
+                fastest = fastest.max(speed.abs() / scale(drive));
                 continue;
             }
             let mut drives = self.drives.clone();
             for share in shares.clone() {
                 let at_s = self.time_s + (time_s - self.time_s) * share;
                 drives.take_pieces_at(self.held_s.unwrap_or(at_s));
-                fastest = fastest.max(drives.at(model, drive, at_s)[1].abs() / scale);
+                fastest = fastest.max(drives.at(model, drive, at_s)[1].abs() / scale(drive));
             }
         }
         fastest

@@ -13,8 +13,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 /// Below this sine of the smallest angle a position is reported as nearly singular: 5°, where errors are magnified more
 /// than ten times. Designers keep transmission angles above 30° to 45°.
 const NEARLY_SINGULAR_SINE: f64 = 0.087_155_742_747_658_17;
-/// Steps along the motion in one turn of the cycle, at most: they take seconds.
-const MAX_STEPS: usize = 1_000_000;
+/// Steps along the motion in one turn of the cycle, at most: six thousand turns of a drive, which take seconds.
+const MAX_STEPS: usize = 200_000;
 /// Singular positions are located to this share of a turn.
 const LOCATED_TURNS: f64 = 1e-12;
 /// How far beyond a sample at which branches cross the motion is taken up again, in steps.

@@ -12,7 +12,7 @@ const POSITIONS: usize = 23;
 /// Positions that must be reached.
 const MIN_POSITIONS: usize = 2;
 /// Steps along the motion in a turn, at most.
-const MAX_STEPS: f64 = 1e5;
+const MAX_STEPS: f64 = 31_416.0;
 /// Free coordinates of the tree, at most: positions take the square of them.
 const MAX_FREE: usize = 300;
 /// A body stands still when it is not further off than this share of the size of the mechanism, or turned by more, rad.
