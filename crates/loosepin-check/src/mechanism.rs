@@ -212,8 +212,9 @@ fn ending_words(mechanism: &Mechanism, tried: &TrialResult) -> String {
     let closing = match tried.left_after_turns {
         None => "The loops close over the whole cycle".to_owned(),
         Some(turns) => {
+            let percent = format!("{:.1e}", 100.0 * turns).parse().map_or_else(|_| String::new(), format_number);
             format!(
-                "The loops close over the first {turns:.1e} turns; a drive is so fast that they were not followed further"
+                "The loops close over the first {percent} % of the cycle; a drive is so fast that they were not followed further"
             )
         }
     };

@@ -14,7 +14,7 @@ const MIN_POSITIONS_PER_TURN: f64 = 36.0;
 const POSITIONS_TIMES_SQUARES: f64 = 5e7;
 /// Turns that are looked at, at most: later ones repeat them unless several drives differ in speed.
 const MAX_TURNS: f64 = 20.0;
-/// Steps along the motion that are looked at, at most, a thousand turns of the fastest drive: it may be very much faster than the one that counts.
+/// Steps of the fastest drive that are followed, at most, a thousand turns: it may be very much faster than the one that counts.
 const MAX_STEPS: f64 = 31_416.0;
 /// The mechanism is where it was a turn before when no body is further off than this share of its size, or turned by more, rad.
 const SAME: f64 = 1e-6;
@@ -95,7 +95,7 @@ fn close_all_round(
     let start = motion.kinematics().poses.clone();
     let starts = body_starts(mechanism, values, motion.kinematics());
     let asked = cycle.transient_turns + cycle.recorded_turns;
-    let turns = asked.min(MAX_TURNS).min(MAX_STEPS / motion.steps_to(motion.time_s() + turn_s));
+    let turns = asked.min(MAX_TURNS).min(MAX_STEPS / motion.longest_way(motion.time_s() + turn_s).1);
     let square = (mechanism.ideal.free as f64).powi(2);
     let per_turn = (POSITIONS_TIMES_SQUARES / square).floor().clamp(MIN_POSITIONS_PER_TURN, POSITIONS_PER_TURN);
     let positions = (turns * per_turn).ceil() as usize;

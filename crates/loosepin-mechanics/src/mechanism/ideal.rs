@@ -104,12 +104,9 @@ impl<'a> IdealMotion<'a> {
     /// # Errors
     /// The loops cannot be closed on the way, or only in a singular position. The state is then worthless.
     pub fn move_to(&mut self, time_s: f64) -> Result<(), SampleError> {
-        /// Instants at which a drive that does not run at constant speed is looked at.
-        const LOOKS: u32 = 16;
         let fastest = self.kinematics.twists.iter().fold(0.0_f64, |f, twist| f.max(twist.angular.abs()));
         let span = time_s - self.time_s;
-        let looks = (0..=LOOKS).map(|look| f64::from(look) / f64::from(LOOKS));
-        let driven = self.fastest_drive_1_s(time_s, looks, |_| self.drive_scale());
+        let driven = self.fastest_drive_1_s(time_s);
         let steps = (span.abs() * fastest.max(driven) / MAX_STEP_RAD).ceil().clamp(1.0, 1e6) as usize;
         let start_s = self.time_s;
         for step in 1..=steps {
@@ -121,16 +118,31 @@ impl<'a> IdealMotion<'a> {
         Ok(())
     }
 
-    /// Steps of a fifth of a radian, or of the size of the mechanism, in which the drives go from here to `time_s`. [`Self::move_to`] makes at least as many.
-    pub fn steps_to(&self, time_s: f64) -> f64 {
+    /// The drive that moves furthest from here to `time_s`, and how far, in steps of a fifth of a radian or of the size of the mechanism. What is no
+    /// number on the way does not count.
+    pub fn longest_way(&self, time_s: f64) -> (DriveId, f64) {
+        /// Instants at which a drive that does not run at constant speed is looked at.
+        const LOOKS: u32 = 64;
         let model = &self.mechanism.model;
-        let scale = |drive: DriveId| {
-            let joint = &model.joints[model.drives[drive.0].joint.0];
-            if joint.kind.slides() { self.mechanism.size_m } else { 1.0 }
-        };
-        // Multiples of the golden ratio: no period of a drive repeats itself in them.
-        let looks = (0_u32..64).map(|look| (f64::from(look) * GOLDEN_RATIO).fract());
-        (time_s - self.time_s).abs() * self.fastest_drive_1_s(time_s, looks, scale) / MAX_STEP_RAD
+        let span_s = time_s - self.time_s;
+        let mut longest = (DriveId(0), 0.0);
+        for &drive in &self.mechanism.ideal.drives {
+            let is_length = model.joints[model.drives[drive.0].joint.0].kind.slides();
+            let scale = if is_length { self.mechanism.size_m } else { 1.0 };
+            let mut drives = self.drives.clone();
+            // Multiples of the golden ratio: no period of a drive repeats itself in them.
+            let rates = (0..LOOKS).map(|look| {
+                let at_s = self.time_s + span_s * (f64::from(look) * GOLDEN_RATIO).fract();
+                drives.take_pieces_at(self.held_s.unwrap_or(at_s));
+                drives.at(model, drive, at_s)[1].abs()
+            });
+            let mean = rates.filter(|rate| rate.is_finite()).sum::<f64>() / f64::from(LOOKS);
+            let steps = span_s.abs() * mean / scale / MAX_STEP_RAD;
+            if steps > longest.1 {
+                longest = (drive, steps);
+            }
+        }
+        longest
     }
 
     /// Guesses the free coordinates at `next_s`: by the polynomial of degree five through the present state and the one before it,
@@ -184,26 +196,22 @@ impl<'a> IdealMotion<'a> {
         self.held_s = time_s;
     }
 
-    /// The fastest drive between the present time and `time_s`, 1/s, in units of its scale. One that does not run at constant speed is looked at
-    /// after these shares of the time between.
-    fn fastest_drive_1_s(
-        &self,
-        time_s: f64,
-        shares: impl Iterator<Item = f64> + Clone,
-        scale: impl Fn(DriveId) -> f64,
-    ) -> f64 {
-        let model = &self.mechanism.model;
+    /// The fastest drive between the present time and `time_s`, 1/s.
+    fn fastest_drive_1_s(&self, time_s: f64) -> f64 {
+        /// Instants at which a drive that does not run at constant speed is looked at.
+        const LOOKS: u32 = 16;
+        let (model, scale) = (&self.mechanism.model, self.drive_scale());
         let mut fastest = 0.0_f64;
         for &drive in &self.mechanism.ideal.drives {
             if let Some(speed) = self.drives.constant_speed(drive) {
-                fastest = fastest.max(speed.abs() / scale(drive));
+                fastest = fastest.max(speed.abs() / scale);
                 continue;
             }
             let mut drives = self.drives.clone();
-            for share in shares.clone() {
-                let at_s = self.time_s + (time_s - self.time_s) * share;
+            for k in 0..=LOOKS {
+                let at_s = self.time_s + (time_s - self.time_s) * f64::from(k) / f64::from(LOOKS);
                 drives.take_pieces_at(self.held_s.unwrap_or(at_s));
-                fastest = fastest.max(drives.at(model, drive, at_s)[1].abs() / scale(drive));
+                fastest = fastest.max(drives.at(model, drive, at_s)[1].abs() / scale);
             }
         }
         fastest

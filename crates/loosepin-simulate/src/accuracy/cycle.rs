@@ -13,7 +13,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 /// Below this sine of the smallest angle a position is reported as nearly singular: 5°, where errors are magnified more
 /// than ten times. Designers keep transmission angles above 30° to 45°.
 const NEARLY_SINGULAR_SINE: f64 = 0.087_155_742_747_658_17;
-/// Steps along the motion in one turn of the cycle, at most: six thousand turns of a drive, which take seconds.
+/// Steps of a drive in one cycle, at most: six thousand turns.
 const MAX_STEPS: usize = 200_000;
 /// Singular positions are located to this share of a turn.
 const LOCATED_TURNS: f64 = 1e-12;
@@ -53,17 +53,17 @@ impl<'a> Cycle<'a> {
     /// The position from which a cycle is walked.
     ///
     /// # Errors
-    /// The sample has none; the drives turn so often in a turn that the walk would be too long.
+    /// The sample has none; a drive moves so far in a cycle that the walk would be too long.
     pub fn start(
         mechanism: &'a Mechanism,
         sample: &Sample<f64>,
         input: &CycleInput,
     ) -> Result<IdealMotion<'a>, AccuracyError> {
         let start = IdealMotion::new(mechanism, &sample.ideal, &sample.drives)?;
-        let steps = start.steps_to(start.time_s() + input.turn_s());
-        // Also where the drives have no value: the walk then says so.
+        let (drive, steps) = start.longest_way(start.time_s() + input.turn_s());
         if steps > MAX_STEPS as f64 {
-            return Err(AccuracyError::TooLong { steps, most: MAX_STEPS });
+            let drive = mechanism.model.drives[drive.0].name.clone();
+            return Err(AccuracyError::TooLong { drive, steps, most: MAX_STEPS });
         }
         Ok(start)
     }

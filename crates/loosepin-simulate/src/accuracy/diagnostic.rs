@@ -30,7 +30,9 @@ impl Problem for AccuracyError {
                     .to_owned(),
             ),
             Self::StandsStill { .. } => Some("give it a speed, or use another drive in [cycle]".to_owned()),
-            Self::TooLong { .. } => Some("slow the fastest drive down, or let [cycle] count its turns".to_owned()),
+            Self::TooLong { .. } => Some(
+                "slow it down, or make the cycle shorter: [cycle] may count its turns where it turns evenly".to_owned(),
+            ),
             Self::TooFewPositions { .. } | Self::BadStandardDeviation { .. } | Self::Stopped => None,
             Self::TurnsOver { .. } => Some("make the slider longer, or the clearance smaller".to_owned()),
             Self::CannotCloseWithPlay { .. } | Self::SingularWithPlay => {
@@ -51,7 +53,7 @@ impl AccuracyError {
             Self::BadStandardDeviation { path, .. } => Diagnostic::error(self, model.place(path)),
             Self::CannotCloseWithPlay { open } => Diagnostic::error(self, model.place(&open.path)),
             Self::TurnsOver { joint } => Diagnostic::error(self, model.place(&format!("joint.{joint}"))),
-            Self::TooLong { .. } => Diagnostic::error(self, model.place("cycle")),
+            Self::TooLong { drive, .. } => Diagnostic::error(self, model.place(&format!("drive.{drive}"))),
             Self::TooFewPositions { .. } | Self::SingularWithPlay | Self::Stopped => Diagnostic::error(self, None),
         }
     }

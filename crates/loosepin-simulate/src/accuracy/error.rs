@@ -26,9 +26,14 @@ pub enum AccuracyError {
         /// The drive.
         drive: String,
     },
-    /// A drive turns too often in one turn of the cycle.
-    #[error("one turn of the cycle takes about {} steps along the motion; at most {most} are made", format_number(steps.round()))]
+    /// A drive moves too far in one cycle.
+    #[error(
+        "in one cycle drive '{drive}' makes about {} steps of 0.2 rad, or of a fifth of the mechanism's size; must be at most {most}",
+        format_number(steps.round())
+    )]
     TooLong {
+        /// The drive.
+        drive: String,
         /// The steps.
         steps: f64,
         /// The largest number.
