@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use loosepin_mechanics::mechanism::{IdealMotion, Kinematics, Mechanism, Sample};
 use loosepin_mechanics::model::{DriveId, Values};
-use loosepin_simulate::{Observer, Plan, RunFailure, Settings, Step, Window, input, run};
+use loosepin_simulate::{FIRST_LOOK_STEPS, Observer, Plan, RunFailure, Settings, Step, Window, input, run};
 
 /// Positions of a turn in which the ideal mechanism is closed; of hundreds of links fewer, since each takes the square of the free
 /// coordinates. Between them the motion is followed in steps of a fifth of a radian.
@@ -14,8 +14,6 @@ const MIN_POSITIONS_PER_TURN: f64 = 36.0;
 const POSITIONS_TIMES_SQUARES: f64 = 5e7;
 /// Turns that are looked at, at most: later ones repeat them unless several drives differ in speed.
 const MAX_TURNS: f64 = 20.0;
-/// Steps of the fastest drive that are followed, at most, a thousand turns: it may be very much faster than the one that counts.
-const MAX_STEPS: f64 = 31_416.0;
 /// The mechanism is where it was a turn before when no body is further off than this share of its size, or turned by more, rad.
 const SAME: f64 = 1e-6;
 /// Share of a turn that the dynamic trial lasts.
@@ -95,7 +93,7 @@ fn close_all_round(
     let start = motion.kinematics().poses.clone();
     let starts = body_starts(mechanism, values, motion.kinematics());
     let asked = cycle.transient_turns + cycle.recorded_turns;
-    let turns = asked.min(MAX_TURNS).min(MAX_STEPS / motion.longest_way(motion.time_s() + turn_s).1);
+    let turns = asked.min(MAX_TURNS).min(FIRST_LOOK_STEPS / motion.longest_way(motion.time_s() + turn_s).1);
     let square = (mechanism.ideal.free as f64).powi(2);
     let per_turn = (POSITIONS_TIMES_SQUARES / square).floor().clamp(MIN_POSITIONS_PER_TURN, POSITIONS_PER_TURN);
     let positions = (turns * per_turn).ceil() as usize;

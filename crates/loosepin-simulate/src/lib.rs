@@ -36,7 +36,7 @@ pub use ideal::free_motion::FreeMotion;
 pub use ideal::path_error::path_error;
 pub use ideal::reference::IdealReference;
 pub use input_files::input_files;
-pub use kinematics::{bodies_that_move, loop_properties};
+pub use kinematics::{FIRST_LOOK_STEPS, bodies_that_move, loop_properties};
 pub use lanes::batch::{Queue, Run};
 pub use lanes::execution::Execution;
 pub use lanes::memory::{Block, LaneLayout};

@@ -70,7 +70,7 @@ fn extreme_words(one: &FurtherOutput, result: &StudyResult) -> String {
     }
 }
 
-/// " None of these runs left the limit of slider later." Of an output with several limits each is told by itself.
+/// " None of these runs left the limit of slider later." Where an output has several limits, each is named.
 fn broken_words(result: &StudyResult, further: &FurtherTurns, writer: &NumberWriter) -> String {
     let of_one = |(requirement, broken): (&RequirementOutcome, &Option<u64>)| {
         let output = &requirement.output;

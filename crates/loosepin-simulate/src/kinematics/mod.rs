@@ -18,7 +18,7 @@ use loosepin_text::units::SiUnit;
 pub use advantage::{MovedOutput, mechanical_advantages};
 use loops::{GroundLoop, ground_loops};
 use quantity::{Angle, Quantity, Travel};
-pub use still::bodies_that_move;
+pub use still::{FIRST_LOOK_STEPS, bodies_that_move};
 pub use turning::Walked;
 use turning::crossings;
 

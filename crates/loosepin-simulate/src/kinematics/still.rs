@@ -11,8 +11,9 @@ use crate::recording::history::input;
 const POSITIONS: usize = 23;
 /// Positions that must be reached.
 const MIN_POSITIONS: usize = 2;
-/// Steps of a drive in a turn, at most: a thousand turns.
-const MAX_STEPS: f64 = 31_416.0;
+/// Steps of the fastest drive along which a first look at a mechanism follows it, at most, a thousand turns: it may be very much faster than the one
+/// that counts.
+pub const FIRST_LOOK_STEPS: f64 = 31_416.0;
 /// Free coordinates of the tree, at most: positions take the square of them.
 const MAX_FREE: usize = 300;
 /// A body stands still when it is not further off than this share of the size of the mechanism, or turned by more, rad.
@@ -27,7 +28,7 @@ pub fn bodies_that_move(mechanism: &Mechanism, values: &Values) -> Option<Vec<bo
     let turn_s = input(mechanism, values, mechanism.model.cycle.span).ok()?.turn_s();
     let sample = Sample::new(mechanism, values).ok()?;
     let mut motion = IdealMotion::new(mechanism, &sample.ideal, &sample.drives).ok()?;
-    if motion.longest_way(turn_s).1 > MAX_STEPS {
+    if motion.longest_way(turn_s).1 > FIRST_LOOK_STEPS {
         return None;
     }
     let start = motion.kinematics().poses.clone();

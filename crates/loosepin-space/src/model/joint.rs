@@ -154,8 +154,8 @@ macro_rules! joint_tables {
         /// The kinds with their keys.
         pub(super) const JOINTS: &[(&str, &Keys)] = &[$(($table::WORD, &$table::KEYS),)*];
 
-        /// The functions that read their tables, in the same order.
-        const READERS: &[fn(&mut SpaceReader, Table<'_>) -> Option<Read>] = &[$(SpaceReader::$read,)*];
+        /// The kinds with the functions that read their tables.
+        const READERS: &[(&str, fn(&mut SpaceReader, Table<'_>) -> Option<Read>)] = &[$(($table::WORD, SpaceReader::$read),)*];
     };
 }
 
@@ -191,7 +191,8 @@ impl SpaceReader {
 
     fn read_joint(&mut self, entry: &Entry<'_>) -> Option<ModelJoint> {
         let (word, table) = self.numbers.table_of_kind(entry, JOINTS)?;
-        let read = JOINTS.iter().zip(READERS).find(|((known, _), _)| *known == word)?.1;
+        // A word that is none of these has its diagnostic.
+        let (_, read) = READERS.iter().find(|(known, _)| *known == word)?;
         let (form, [bearing, journal], play) = read(self, table)?;
         if bearing.point.body == journal.point.body {
             let body = self.bodies[bearing.point.body].name.clone();
