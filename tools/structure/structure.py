@@ -17,6 +17,8 @@ ENUMS = [
     "Deviation",
     "Reduction",
     "Attachment",
+    "PlaneAttachment",
+    "SpaceAttachment",
     "Where",
     "Location",
     "Guarantee",

@@ -67,7 +67,8 @@ pub fn parts(case: &Case) -> Vec<ProgramGroup> {
         dynamics.evaluate_with_unknowns(state[2 * n], &state[..n], &state[n..2 * n], &states, &unknowns);
 
         let vector = |vector: Vec2<Traced>| [vector.x, vector.y];
-        let sines: Vec<_> = dynamics.kinematics.poses.iter().flat_map(|pose| [pose.sine, pose.cosine]).collect();
+        let sines: Vec<_> =
+            dynamics.kinematics.poses.iter().flat_map(|pose| [pose.rotation.sine, pose.rotation.cosine]).collect();
         let moves = dynamics
             .plays()
             .iter()

@@ -106,7 +106,7 @@ fn close_all_round(
         motion.move_to(time_s)?;
         let is_same = || {
             start.iter().zip(&motion.kinematics().poses).all(|(before, now)| {
-                let turned_rad = now.angle_rad - before.angle_rad;
+                let turned_rad = now.angle_rad() - before.angle_rad();
                 (now.position_m - before.position_m).length() <= SAME * mechanism.size_m
                     && (turned_rad - TAU * (turned_rad / TAU).round()).abs() <= SAME
             })
@@ -154,7 +154,7 @@ fn body_starts(mechanism: &Mechanism, values: &Values, ideal: &Kinematics<f64>) 
             };
             BodyStart {
                 // Whole turns say nothing about a position.
-                angle_rad: pose.angle_rad - TAU * (pose.angle_rad / TAU).round(),
+                angle_rad: pose.angle_rad() - TAU * (pose.angle_rad() / TAU).round(),
                 points_m: body
                     .points
                     .iter()

@@ -29,7 +29,10 @@ pub use functions::spline::{
 };
 pub use functions::whole_range::{full_range_exponential, full_range_logarithm, full_range_power};
 pub use fused::with_vector_instructions;
-pub use geometry::{Frame, Pose, Quaternion, Rotation, Vec2, Vec3};
+pub use geometry::{
+    Frame, Geometry, Plane, PlaneMount, PlaneRotation, PlaneSwing, Pose, Quaternion, Rotation, Space, SpaceInertia,
+    SpaceMount, SpaceSwing, Vec2, Vec3, Vector,
+};
 pub use numbers::Numbers;
 pub use order::{in_order, number_of_key, order_key, places_in_order, sort_ascending, sort_by_number};
 pub use outlined::Outlined;

@@ -42,7 +42,7 @@ impl<T: Real> Dynamics<'_, T> {
         let tree = &self.mechanism.real;
         for (index, (link, numbers)) in tree.links.iter().zip(&self.sample.real.links).enumerate() {
             let slot = index + 1;
-            let is_free = link.dependences.iter().any(|dependence| dependence.coordinate < tree.free);
+            let is_free = link.dependences.iter().any(|coordinate| *coordinate < tree.free);
             let of_beam = link.beam.map(|beam| self.beam_energy_j(beam));
             if let Some([kinetic_j, potential_j, strain_j]) =
                 of_beam.or_else(|| link.nodal_beam.map(|beam| self.nodal_energy_j(beam)))

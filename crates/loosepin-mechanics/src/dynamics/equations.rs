@@ -1,5 +1,6 @@
 //! Mass matrix, forces and accelerations.
 
+use super::bodies::BodyEquations;
 use super::inverse::InverseDynamics;
 use crate::contact::PlayState;
 use crate::dynamics::elements::beam_workspace::BeamWorkspace;
@@ -9,11 +10,9 @@ use crate::dynamics::elements::nodal_workspace::NodalWorkspace;
 use crate::dynamics::play::contact_motion::{ContactForce, ContactUnknowns, GapMotion};
 use crate::dynamics::play::motion::PlayMotion;
 use crate::mechanism::constraints;
-use crate::mechanism::{
-    JointPlace, Kinematics, Mechanism, Sample, TimeDual, Twist, acceleration_at, moved, turned_by, workspace_length,
-};
+use crate::mechanism::{JointPlace, Kinematics, Mechanism, Sample, TimeDual, Twist, acceleration_at, workspace_length};
 use crate::model::{ActsOn, FeedForward, PlayId, TimeCourse};
-use loosepin_math::{Dual, Envelope, GramSystem, Real, Vec2};
+use loosepin_math::{Dual, Real, Vec2};
 
 /// Powers that the energy account integrates, W.
 #[derive(Debug, Clone, Copy)]
@@ -36,7 +35,7 @@ pub struct Powers<T> {
 ///
 /// State: coordinates and rates of the real tree, free ones first; the driven ones are filled in here from the time.
 #[derive(Debug, Clone)]
-pub struct Dynamics<'a, T> {
+pub struct Dynamics<'a, T: Real> {
     pub(super) mechanism: &'a Mechanism,
     pub(super) sample: Sample<T>,
     /// Poses, velocities and biases at the last evaluation.
@@ -82,24 +81,8 @@ pub struct Dynamics<'a, T> {
     pub(super) drive_workspace: Vec<TimeDual<T>>,
     /// Time of the last state, s.
     pub(super) time_s: T,
-    /// Free accelerations q̈.
-    pub(super) accelerations: Vec<T>,
-    /// Constraint forces λ; where rows repeat each other, one of the many that do the same.
-    pub(super) multipliers: Vec<T>,
-    /// M, then its factors.
-    pub(super) mass: Vec<T>,
-    /// The possibly non-zero entries of M.
-    envelope: Envelope,
-    /// Inertial coupling of the driven coordinates (rows) with the free ones (columns).
-    pub(super) driven_mass: Vec<T>,
-    /// h for all coordinates: free ones, then driven ones.
-    pub(super) forces: Vec<T>,
-    /// Partial velocities of the centre of mass of the current link.
-    centre_partials: Vec<Vec2<T>>,
-    pub(super) jacobian: Vec<T>,
-    constraint_biases: Vec<T>,
-    /// J M⁻¹ Jᵀ.
-    pub(super) gram: GramSystem<T>,
+    /// Accelerations, constraint forces, mass matrix and forces.
+    pub(super) equations: BodyEquations<T>,
     /// Friction in ideal joints, where there is any.
     pub(super) joint_frictions: Option<JointFrictions<T>>,
 }
@@ -108,8 +91,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
     /// Room for `mechanism` with the numbers of `sample`.
     pub fn new(mechanism: &'a Mechanism, sample: &Sample<T>) -> Self {
         let tree = &mechanism.real;
-        let (n, z) = (tree.free, tree.coordinates());
-        let rows = tree.constraint_rows();
+        let z = tree.coordinates();
         let kinematics = Kinematics::new(tree);
         let play_slots: Vec<[usize; 2]> = mechanism
             .plays
@@ -194,16 +176,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
             function_workspace: vec![T::zero(); function_steps],
             drive_workspace: vec![Dual::constant(Dual::constant(T::zero())); workspace_length(&mechanism.model)],
             time_s: T::zero(),
-            accelerations: vec![T::zero(); n],
-            multipliers: vec![T::zero(); rows],
-            mass: vec![T::zero(); n * n],
-            envelope: tree.mass_envelope(),
-            driven_mass: vec![T::zero(); tree.drives.len() * n],
-            forces: vec![T::zero(); z],
-            centre_partials: vec![Vec2::zero(); z],
-            jacobian: vec![T::zero(); rows * z],
-            constraint_biases: vec![T::zero(); rows],
-            gram: GramSystem::new(tree.constraint_scales(), n),
+            equations: BodyEquations::new(tree, tree.constraint_scales()),
             joint_frictions: JointFrictions::new(mechanism, sample),
         }
     }
@@ -288,50 +261,10 @@ impl<'a, T: Real> Dynamics<'a, T> {
         }
     }
 
-    /// Mass matrix and generalised forces of inertia and gravity (Kane).
+    /// Mass matrix and generalised forces of inertia and gravity.
     #[inline(never)]
     fn add_bodies(&mut self) {
-        let tree = &self.mechanism.real;
-        let n = tree.free;
-        self.mass.fill(T::zero());
-        self.driven_mass.fill(T::zero());
-        self.forces.fill(T::zero());
-        for (index, (link, numbers)) in tree.links.iter().zip(&self.sample.real.links).enumerate() {
-            let slot = index + 1;
-            if !link.has_own_mass {
-                continue;
-            }
-            let arm = self.kinematics.poses[slot].turn(numbers.centre_of_mass_m);
-            let bias = self.kinematics.biases[slot];
-            let acceleration = acceleration_at(&bias, &self.kinematics.twists[slot], arm);
-            let force = (self.sample.real.gravity_m_s2 - acceleration) * numbers.mass_kg;
-            let moment = -(numbers.inertia_kg_m2 * bias.angular);
-            let partials = self.kinematics.partials(slot);
-            let turned_arm = arm.turned();
-            for (k, (dependence, partial)) in link.dependences.iter().zip(partials).enumerate() {
-                let velocity = moved(*partial, turned_arm, dependence.turning);
-                self.centre_partials[k] = velocity;
-                let sum = turned_by(self.forces[dependence.coordinate], moment, dependence.turning);
-                self.forces[dependence.coordinate] = force.x.mul_add(velocity.x, force.y.mul_add(velocity.y, sum));
-            }
-            for (k, row) in link.dependences.iter().enumerate() {
-                for (l, column) in link.dependences[..=k].iter().enumerate() {
-                    // Only the lower triangle is used; what couples two driven coordinates is not.
-                    let (high, low) = (row.coordinate.max(column.coordinate), row.coordinate.min(column.coordinate));
-                    if low >= n {
-                        continue;
-                    }
-                    let place = if high < n {
-                        &mut self.mass[high * n + low]
-                    } else {
-                        &mut self.driven_mass[(high - n) * n + low]
-                    };
-                    let coupling = self.centre_partials[k].dot(self.centre_partials[l]);
-                    let sum = coupling.mul_add(numbers.mass_kg, *place);
-                    *place = turned_by(sum, numbers.inertia_kg_m2, row.turning * column.turning);
-                }
-            }
-        }
+        self.equations.begin(&self.mechanism.real, &self.sample.real, &self.kinematics);
     }
 
     /// Adds the forces of the joints with play.
@@ -359,34 +292,16 @@ impl<'a, T: Real> Dynamics<'a, T> {
             frictions.take_force(slot, self.kinematics.poses[slot].position_m + arm_m, force_n, moment_n_m);
         }
         let about_origin_n_m = moment_n_m + arm_m.cross(force_n);
-        self.kinematics.add_push(&self.mechanism.real, slot, force_n, about_origin_n_m, &mut self.forces);
+        self.kinematics.add_push(&self.mechanism.real, slot, force_n, about_origin_n_m, &mut self.equations.forces);
     }
 
-    /// M q̈ = h + Jᵀ λ with J q̈ = -γ.
     #[inline(never)]
     fn solve(&mut self) {
-        let tree = &self.mechanism.real;
-        let (n, columns) = (tree.free, tree.coordinates());
-        self.envelope.factor_ldl(&mut self.mass);
-        self.accelerations.copy_from_slice(&self.forces[..n]);
-        self.envelope.solve_ldl(&self.mass, &mut self.accelerations);
-        let rows = tree.constraint_rows();
-        if rows == 0 {
-            return;
-        }
-        constraints::jacobian(tree, &self.sample.real, &self.kinematics, &mut self.jacobian);
-        constraints::biases(tree, &self.sample.real, &self.kinematics, &mut self.constraint_biases);
-        for row in 0..rows {
-            let gradient = &self.jacobian[row * columns..row * columns + n];
-            let mut defect = -self.constraint_biases[row];
-            for (slope, acceleration) in gradient.iter().zip(&self.accelerations) {
-                defect = (-*slope).mul_add(*acceleration, defect);
-            }
-            self.multipliers[row] = defect;
-        }
-        self.gram.set(&self.jacobian, columns, &self.mass, n);
-        self.gram.solve(&mut self.multipliers);
-        self.gram.add_correction(&self.multipliers, &mut self.accelerations);
+        let (tree, numbers, kinematics) = (&self.mechanism.real, &self.sample.real, &self.kinematics);
+        self.equations.solve(|jacobian, biases| {
+            constraints::jacobian(tree, numbers, kinematics, jacobian);
+            constraints::biases(tree, numbers, kinematics, biases);
+        });
     }
 
     /// Powers at the last evaluation. The drives' power is what their coordinates need: Σ (m a - F)·v over all bodies.
@@ -420,17 +335,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
     /// Force (N) or torque (N m) of the tree's drive `k` along its coordinate, at the last evaluation.
     #[inline(never)]
     pub fn drive_force(&self, k: usize) -> T {
-        let tree = &self.mechanism.real;
-        let n = tree.free;
-        // `forces` holds applied minus inertial forces without q̈; the part of q̈ is added here.
-        let mut needed = -self.forces[n + k];
-        for (coupling, acceleration) in self.driven_mass[k * n..(k + 1) * n].iter().zip(&self.accelerations) {
-            needed = coupling.mul_add(*acceleration, needed);
-        }
-        for (row, multiplier) in self.multipliers.iter().enumerate() {
-            needed -= self.jacobian[row * tree.coordinates() + n + k] * *multiplier;
-        }
-        needed
+        self.equations.drive_force(k)
     }
 
     /// The mechanism that moves.
@@ -452,7 +357,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
     }
     /// Free accelerations q̈ at the last evaluation.
     pub fn accelerations(&self) -> &[T] {
-        &self.accelerations
+        &self.equations.accelerations
     }
     /// Force of the contact `contact` at the state set last, in the contact state `state`.
     pub fn contact_force(&self, contact: usize, state: &PlayState<T>) -> ContactForce<T> {
@@ -492,7 +397,7 @@ impl<'a, T: Real> Dynamics<'a, T> {
     /// Acceleration of the frame in `slot` at the last evaluation.
     #[inline(always)]
     pub fn acceleration(&self, slot: usize) -> Twist<T> {
-        self.kinematics.acceleration(&self.mechanism.real, slot, &self.accelerations)
+        self.kinematics.acceleration(&self.mechanism.real, slot, &self.equations.accelerations)
     }
 }
 
@@ -522,6 +427,6 @@ impl<T: Real> Dynamics<'_, T> {
     }
     /// The factors of M from the last evaluation.
     pub fn factored_mass(&self) -> &[T] {
-        &self.mass
+        &self.equations.mass
     }
 }

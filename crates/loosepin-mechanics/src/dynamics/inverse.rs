@@ -1,14 +1,15 @@
 //! Inverse dynamics: what inertia and weight need along the references of the controls.
 
-use crate::mechanism::{Geometry, Kinematics, KnownChain, Sample, TimeDual, acceleration_at, moved, turned_by};
+use super::bodies::add_efforts;
+use crate::mechanism::{Kinematics, KnownChain, Sample, TimeDual, TreeNumbers};
 use crate::model::Model;
-use loosepin_math::{Numbers, Real, Vec2};
+use loosepin_math::{Numbers, Real};
 
 /// The open chain that the controllers know, with room for an evaluation.
 #[derive(Debug, Clone)]
-pub struct InverseDynamics<'a, T> {
+pub struct InverseDynamics<'a, T: Real> {
     chain: &'a KnownChain,
-    geometry: Geometry<T>,
+    geometry: TreeNumbers<T>,
     kinematics: Kinematics<T>,
     coordinates: Vec<T>,
     rates: Vec<T>,
@@ -23,7 +24,7 @@ impl<'a, T: Real> InverseDynamics<'a, T> {
         let count = chain.tree.coordinates();
         Self {
             chain,
-            geometry: Geometry::broadcast(&chain.geometry),
+            geometry: TreeNumbers::broadcast(&chain.geometry),
             kinematics: Kinematics::new(&chain.tree),
             coordinates: vec![T::zero(); count],
             rates: vec![T::zero(); count],
@@ -48,20 +49,7 @@ impl<'a, T: Real> InverseDynamics<'a, T> {
         self.kinematics.set_velocities(tree, &self.rates);
         self.kinematics.set_biases(tree, &self.geometry, &self.rates, &self.accelerations);
         self.efforts.fill(T::zero());
-        for (index, (link, numbers)) in tree.links.iter().zip(&self.geometry.links).enumerate() {
-            let slot = index + 1;
-            let arm = self.kinematics.poses[slot].turn(numbers.centre_of_mass_m);
-            let bias = self.kinematics.biases[slot];
-            let acceleration = acceleration_at(&bias, &self.kinematics.twists[slot], arm);
-            let force: Vec2<T> = (acceleration - self.geometry.gravity_m_s2) * numbers.mass_kg;
-            let moment = numbers.inertia_kg_m2 * bias.angular;
-            for (dependence, partial) in link.dependences.iter().zip(self.kinematics.partials(slot)) {
-                let velocity = moved(*partial, arm.turned(), dependence.turning);
-                let to = &mut self.efforts[dependence.coordinate];
-                let sum = turned_by(*to, moment, dependence.turning);
-                *to = force.x.mul_add(velocity.x, force.y.mul_add(velocity.y, sum));
-            }
-        }
+        add_efforts(tree, &self.geometry, &self.kinematics, &mut self.efforts);
     }
 
     /// The effort of the actuator of a control at the last evaluation, N m or N.

@@ -3,6 +3,7 @@
 //! Kane's method in tree coordinates q: the mass matrix M and the generalised forces h come from the partial velocities
 //! of the bodies; loops of ideal joints add constraint forces: `M q̈ = h + Jᵀ λ`, `J q̈ = -γ`.
 
+mod bodies;
 mod elements;
 mod energy;
 mod equations;
@@ -13,6 +14,7 @@ mod reactions;
 mod stress;
 
 pub use crate::contact::PlayState;
+pub use bodies::BodyEquations;
 pub use elements::element_force::{ActuatorForce, LoadForce, SpringForce};
 pub use elements::without_value::WithoutValue;
 pub use energy::MechanicalEnergy;

@@ -6,7 +6,7 @@ use crate::model::{Actuator, BodyId, JointId, OutputState, Position, Reading};
 use loosepin_math::{Real, Vec2};
 
 /// The last state of the equations of motion, with the points of the bodies.
-struct LastState<'s, 'd, T> {
+struct LastState<'s, 'd, T: Real> {
     arms: &'s Arms<T>,
     dynamics: &'s Dynamics<'d, T>,
 }

@@ -45,13 +45,13 @@ impl<T: Real> Dynamics<'_, T> {
             left.iter().zip(right).fold(T::zero(), |sum, (left, right)| left.mul_add(*right, sum))
         };
         let mut answer = push[..n].to_vec();
-        solve_ldl(&self.mass, n, &mut answer);
+        solve_ldl(&self.equations.mass, n, &mut answer);
         let mut inverse_mass_1_kg = along(&push[..n], &answer);
         // The rows of the mobilities are M⁻¹ Jᵀ, so that J M⁻¹ g needs no Jacobian.
-        let mobility = |row: usize| &self.gram.mobilities()[row * n..(row + 1) * n];
+        let mobility = |row: usize| &self.equations.gram.mobilities()[row * n..(row + 1) * n];
         let defects: Vec<T> = (0..tree.constraint_rows()).map(|row| along(mobility(row), &push[..n])).collect();
         let mut multipliers = defects.clone();
-        self.gram.clone().solve(&mut multipliers);
+        self.equations.gram.clone().solve(&mut multipliers);
         inverse_mass_1_kg -= along(&defects, &multipliers);
         inverse_mass_1_kg
     }
@@ -78,7 +78,7 @@ impl<T: Real> Dynamics<'_, T> {
             return forces[index] + self.actuator_force_n(joint);
         }
         let root = tree.links.iter().enumerate().find_map(|(index, link)| {
-            let (own, forward) = link.attachment.joint()?;
+            let (own, forward) = link.joint()?;
             (own == joint).then_some((index + 1, forward))
         });
         let Some((root, forward)) = root else { return Vec2::zero() };
@@ -145,7 +145,7 @@ impl<T: Real> Dynamics<'_, T> {
     fn coupling_forces_n(&self) -> Vec<([usize; 2], Vec2<T>)> {
         let tree = &self.mechanism.real;
         let mut forces = Vec::new();
-        let multipliers = &self.multipliers[tree.cut_rows()..];
+        let multipliers = &self.equations.multipliers[tree.cut_rows()..];
         for ((places, numbers), multiplier) in tree.couplings.iter().zip(&self.sample.real.couplings).zip(multipliers) {
             let slope = numbers.slope(places, &self.kinematics);
             for (side, gradient) in [(0, -slope), (1, T::one())] {
@@ -183,7 +183,7 @@ impl<T: Real> Dynamics<'_, T> {
             let force_n = teeth.on_second_body_n(&numbers.joints, places, &self.kinematics, effort, side);
             sum = Some(sum.map_or(force_n, |sum| sum + force_n));
         };
-        let multipliers = &self.multipliers[tree.cut_rows()..];
+        let multipliers = &self.equations.multipliers[tree.cut_rows()..];
         let ideal = tree.couplings.iter().zip(&self.sample.real.couplings).zip(multipliers);
         for (index, ((places, numbers), multiplier)) in tree.coupling_indices.iter().zip(ideal) {
             add(*index, numbers, places, *multiplier);
@@ -215,9 +215,9 @@ impl<T: Real> Dynamics<'_, T> {
                 let poses = cut.slots.map(|slot| &self.kinematics.poses[slot]);
                 let gap_m = poses[1].point_m(numbers.arms_m[1]) - poses[0].point_m(numbers.arms_m[0]);
                 let mut multipliers_n = [T::zero(); 2];
-                multipliers_n[..keeps.count()].copy_from_slice(&self.multipliers[row..row + keeps.count()]);
+                multipliers_n[..keeps.count()].copy_from_slice(&self.equations.multipliers[row..row + keeps.count()]);
                 row += cut.rows.count();
-                let force_n = PointRowsAtState::at(keeps, numbers, poses[0].angle_rad, gap_m).force_n(multipliers_n);
+                let force_n = PointRowsAtState::at(keeps, numbers, poses[0].angle_rad(), gap_m).force_n(multipliers_n);
                 if cut.rows.is_on_line() { force_n + self.guide_friction_n(cut.joint) } else { force_n }
             })
             .collect()

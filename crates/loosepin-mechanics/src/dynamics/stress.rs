@@ -207,7 +207,7 @@ impl<T: Real> Dynamics<'_, T> {
         };
         let beam = &self.sample.real.beams[index].beam;
         let [q, rates, changes] =
-            [&self.coordinates, &self.rates, &self.accelerations].map(|of| self.shapes_of(index, of));
+            [&self.coordinates, &self.rates, &self.equations.accelerations].map(|of| self.shapes_of(index, of));
         let rate = beam.rate_m_s(station, q, rates);
         carried + beam.rate_m_s(station, q, changes) + beam.relative_acceleration_m_s2(station, rate, rates, spin)
     }

@@ -3,6 +3,7 @@
 use super::error::MechanismError;
 use super::loops::constraints::RowOwner;
 use super::tree::assembly;
+use crate::mechanism::attachment::KindOfAttachment;
 use crate::mechanism::beginning::initial::{StartEquations, initial_numbers};
 use crate::mechanism::beginning::nodal_start::set_undeformed;
 use crate::mechanism::beginning::offset::demand_drives;
@@ -11,10 +12,10 @@ use crate::mechanism::loops::tooth_force::demand_fit;
 use crate::mechanism::parts::control::KnownChain;
 use crate::mechanism::parts::stressed::StressedBody;
 use crate::mechanism::tree::beam_points::point_beyond_beam;
-use crate::mechanism::tree::geometry::Geometry;
 use crate::mechanism::tree::kinematics::Kinematics;
 use crate::mechanism::tree::mobility::{self, Mobility};
-use crate::mechanism::tree::spanning_tree::{Attachment, DrivenLoop, JointPlace, Tree};
+use crate::mechanism::tree::numbers::TreeNumbers;
+use crate::mechanism::tree::spanning_tree::{DrivenLoop, JointPlace, Tree};
 use crate::model::{BodyId, Model, PlayId, Values};
 use loosepin_math::Vec2;
 
@@ -68,7 +69,7 @@ impl Mechanism {
             return Err(MechanismError::BeamHangs { body: model.bodies[body.0].name.clone() });
         }
         let size_m = size_m(model, values);
-        let geometry = Geometry::new(model, &ideal, values);
+        let geometry = TreeNumbers::new(model, &ideal, values);
         let numbers = initial_numbers(model, values);
         let equations = StartEquations::new(model, &ideal, &geometry, &numbers);
         let assembly = assembly::assemble(&equations, values, size_m)?;
@@ -98,7 +99,7 @@ impl Mechanism {
         let mut kinematics = Kinematics::new(&mechanism.ideal);
         kinematics.set_positions(&mechanism.ideal, &geometry, &mechanism.ideal_start);
         demand_fit(model, values, &mechanism.ideal, &kinematics)?;
-        let real_geometry = Geometry::new(model, &mechanism.real, values);
+        let real_geometry = TreeNumbers::new(model, &mechanism.real, values);
         let (start, _) = mechanism.real_coordinates(&kinematics, &real_geometry);
         mechanism.dynamic_freedoms = mobility::open_freedoms(&mechanism.real, &real_geometry, &start, size_m);
         let rows_repeat = mechanism.real.free - mechanism.dynamic_freedoms < mechanism.real.constraint_rows();
@@ -161,7 +162,7 @@ impl Mechanism {
     }
 
     /// Coordinates and rates of the real tree when its bodies are where `ideal` kinematics puts them.
-    pub fn real_coordinates(&self, ideal: &Kinematics<f64>, real: &Geometry<f64>) -> (Vec<f64>, Vec<f64>) {
+    pub fn real_coordinates(&self, ideal: &Kinematics<f64>, real: &TreeNumbers<f64>) -> (Vec<f64>, Vec<f64>) {
         let tree = &self.real;
         let (mut coordinates, mut rates) = (vec![0.0; tree.coordinates()], vec![0.0; tree.coordinates()]);
         let slot_of = |body: BodyId| self.ideal.slot_of_body[body.0];
@@ -173,39 +174,10 @@ impl Mechanism {
             };
             let (own, parent) = (ideal.poses[own_slot], ideal.poses[parent_slot]);
             let (own_twist, parent_twist) = (ideal.twists[own_slot], ideal.twists[parent_slot]);
-            match link.attachment {
-                Attachment::Free { first } => {
-                    coordinates[first] = own.position_m.x;
-                    coordinates[first + 1] = own.position_m.y;
-                    coordinates[first + 2] = own.angle_rad;
-                    rates[first] = own_twist.linear.x;
-                    rates[first + 1] = own_twist.linear.y;
-                    rates[first + 2] = own_twist.angular;
-                }
-                Attachment::Revolute { coordinate, .. } => {
-                    coordinates[coordinate] = own.angle_rad;
-                    rates[coordinate] = own_twist.angular;
-                }
-                Attachment::DrivenRevolute { coordinate, forward, .. } => {
-                    let sign = if forward { 1.0 } else { -1.0 };
-                    coordinates[coordinate] = sign * (own.angle_rad - parent.angle_rad);
-                    rates[coordinate] = sign * (own_twist.angular - parent_twist.angular);
-                }
-                Attachment::Prismatic { coordinate, forward, .. } => {
-                    let sign = if forward { 1.0 } else { -1.0 };
-                    let line = parent.angle_rad + numbers.parent_angle_rad;
-                    let (sine, cosine) = loosepin_math::sin_cos(line);
-                    let direction = Vec2::new(cosine, sine) * sign;
-                    let own_arm = own.turn(numbers.own_arm_m);
-                    let parent_arm = parent.turn(numbers.parent_arm_m);
-                    let gap = own.position_m + own_arm - parent.position_m - parent_arm;
-                    coordinates[coordinate] = direction.dot(gap);
-                    let gap_rate = own_twist.at(own_arm) - parent_twist.at(parent_arm);
-                    rates[coordinate] = direction.dot(gap_rate) + parent_twist.angular * direction.turned().dot(gap);
-                }
-                // Beams begin undeformed and at rest in their frames.
-                Attachment::Rigid { .. } | Attachment::Section { .. } | Attachment::Node { .. } => {}
-            }
+            let (own_coordinates, own_rates) =
+                (&mut coordinates[link.coordinates.clone()], &mut rates[link.speeds.clone()]);
+            let [parent, own] = [(&parent, &parent_twist), (&own, &own_twist)];
+            link.attachment.coordinates_between(numbers, parent, own, own_coordinates, own_rates);
         }
         for (place, numbers) in tree.nodal_beams.iter().zip(&real.nodal_beams) {
             let slot = slot_of(place.body);

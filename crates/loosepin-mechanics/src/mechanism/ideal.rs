@@ -9,10 +9,10 @@ use crate::mechanism::loops::constraints;
 use crate::mechanism::parts::drive::{Drives, workspace_length};
 use crate::mechanism::parts::drive_place::drive_place;
 use crate::mechanism::tree::assembly::least_open;
-use crate::mechanism::tree::geometry::Geometry;
 use crate::mechanism::tree::kinematics::{Kinematics, Twist};
 use crate::mechanism::tree::mobility::eliminate_free;
 use crate::mechanism::tree::motion_branches::{MotionBranches, motion_branches};
+use crate::mechanism::tree::numbers::TreeNumbers;
 use crate::mechanism::tree::spanning_tree::Tree;
 use crate::model::{DriveId, TimeDual};
 use loosepin_math::{Dual, solve_square};
@@ -32,7 +32,7 @@ const SINGULAR_PIVOT_RATIO: f64 = 1e-9;
 #[derive(Debug, Clone)]
 pub struct IdealMotion<'a> {
     mechanism: &'a Mechanism,
-    geometry: Geometry<f64>,
+    geometry: TreeNumbers<f64>,
     drives: Drives<f64>,
     /// The time whose pieces of motions are used whatever the time, s.
     held_s: Option<f64>,
@@ -71,7 +71,11 @@ impl<'a> IdealMotion<'a> {
     ///
     /// # Errors
     /// The sample cannot close, or only in a singular position.
-    pub fn new(mechanism: &'a Mechanism, geometry: &Geometry<f64>, drives: &Drives<f64>) -> Result<Self, SampleError> {
+    pub fn new(
+        mechanism: &'a Mechanism,
+        geometry: &TreeNumbers<f64>,
+        drives: &Drives<f64>,
+    ) -> Result<Self, SampleError> {
         let tree = &mechanism.ideal;
         let (n, rows) = (tree.free, tree.constraint_rows());
         let mut motion = Self {

@@ -3,6 +3,7 @@
 //! Two trees share the model: the *ideal* one, in which every joint is ideal, gives the ideal motion, the start and the
 //! quasi-static answer; in the *real* one joints with play are force elements and leave their loops open.
 
+mod attachment;
 mod beginning;
 mod compile;
 mod diagnostic;
@@ -18,6 +19,10 @@ mod sample;
 mod tree;
 
 pub use crate::model::TimeDual;
+pub use attachment::{
+    Ball, FormOfAttachment, Free, KindOfAttachment, MovingGeometry, PlaneAttachment, Prismatic, Revolute, Rigid,
+    SpaceAttachment, TreeGeometry,
+};
 pub use beginning::offset::StartOffset;
 pub use compile::Mechanism;
 pub use error::{DrivePlace, MechanismError, SampleError};
@@ -45,9 +50,10 @@ pub use point_rows::PointRowsAtState;
 pub use sample::{PlayGeometry, Sample};
 pub use tree::beam::{BeamPlace, TreeBeam};
 pub use tree::cut_geometry::CutGeometry;
-pub use tree::geometry::{BeamGeometry, Condensed, Geometry, LinkGeometry};
-pub use tree::kinematics::{Kinematics, Pose, Twist, acceleration_at, moved, turned_by};
+
+pub use tree::kinematics::{Column, Kinematics, Pose, Twist, acceleration_at};
 pub use tree::motion_branches::MotionBranches;
 pub use tree::nodal_beam::TreeNodalBeam;
+pub use tree::numbers::{BeamGeometry, Condensed, LinkNumbers, TreeNumbers};
 pub use tree::points::{numbered_point_m, point_m};
-pub use tree::spanning_tree::{Attachment, CouplingPlace, Cut, Dependence, DrivenLoop, JointPlace, Link, Tree};
+pub use tree::spanning_tree::{CouplingPlace, Cut, DrivenLoop, JointPlace, Link, Tree};

@@ -27,7 +27,7 @@ impl Position {
                 along(of.seen_from(&Point::new(from, tree, kinematics, &arm_m)), axis)
             }
             Self::Angle(relative) => {
-                let angle_rad = |body: BodyId| kinematics.poses[tree.slot_of_body[body.0]].angle_rad;
+                let angle_rad = |body: BodyId| kinematics.poses[tree.slot_of_body[body.0]].angle_rad();
                 relative.to.map_or(angle_rad(relative.of), |from| angle_rad(relative.of) - angle_rad(from))
             }
         }
@@ -90,7 +90,7 @@ impl Position {
 }
 
 /// A point of a body with the motion of that body, all in the frame of the ground.
-struct Point<'a, T> {
+struct Point<'a, T: Real> {
     slot: usize,
     pose: &'a Pose<T>,
     twist: &'a Twist<T>,

@@ -19,7 +19,7 @@ use crate::mechanism::parts::load::LoadGeometry;
 use crate::mechanism::parts::spring::SpringGeometry;
 use crate::mechanism::parts::stressed::SectionNumbers;
 use crate::mechanism::tree::beam_points::point_off_section;
-use crate::mechanism::tree::geometry::Geometry;
+use crate::mechanism::tree::numbers::TreeNumbers;
 use crate::mechanism::tree::points::{direction, point_m};
 use crate::model::{Contact, JointId, JointKind, JointPlay, PlayId, PlayParts, QuantityId, SlidingVelocity, Values};
 use loosepin_math::{Numbers, Real, Vec2, numbers};
@@ -89,11 +89,11 @@ impl PlayGeometry<f64> {
 
 /// The numbers of one sample: the ideal mechanism, the real one, its contacts, springs, loads and drives.
 #[derive(Debug, Clone)]
-pub struct Sample<T> {
+pub struct Sample<T: Real> {
     /// For the tree in which every joint is ideal.
-    pub ideal: Geometry<T>,
+    pub ideal: TreeNumbers<T>,
     /// For the tree in which joints with play are force elements.
-    pub real: Geometry<T>,
+    pub real: TreeNumbers<T>,
     /// Joints and couplings with play, in the order of [`Mechanism::plays`].
     pub plays: Vec<PlayGeometry<T>>,
     /// Contacts of the joints, in the order of [`Mechanism::contacts`].
@@ -176,8 +176,8 @@ impl<T: Real> Sample<T> {
         let loads = model.loads.iter().map(|load| LoadGeometry::new(model, load, values));
         let loads = loads.collect::<Result<_, _>>()?;
         Ok(Self {
-            ideal: Geometry::new(model, &mechanism.ideal, values),
-            real: Geometry::new(model, &mechanism.real, values),
+            ideal: TreeNumbers::new(model, &mechanism.ideal, values),
+            real: TreeNumbers::new(model, &mechanism.real, values),
             plays,
             contacts: mechanism.contacts.clone(),
             frictions: JointFriction::all(model, values),

@@ -4,7 +4,7 @@ use super::error::AccuracyError;
 use super::play_reach::PlayReach;
 use loosepin_math::{Dual, Vec2, determinant, solve_square};
 use loosepin_mechanics::mechanism::constraints::{self, LargestResidual};
-use loosepin_mechanics::mechanism::{Geometry, Kinematics, Mechanism, point_m};
+use loosepin_mechanics::mechanism::{Kinematics, Mechanism, TreeNumbers, point_m};
 use loosepin_mechanics::model::{PointId, Position, Values};
 
 /// Newton steps from one displacement to the next; from nearby two or three are enough.
@@ -30,12 +30,12 @@ const HALVINGS: u32 = 10;
 pub struct DisplacedLoops<'a> {
     mechanism: &'a Mechanism,
     values: &'a Values,
-    geometry: Geometry<f64>,
+    geometry: TreeNumbers<f64>,
     /// The numbers as constants, for derivatives.
-    dual_geometry: Geometry<Dual<f64>>,
+    dual_geometry: TreeNumbers<Dual<f64>>,
     /// The numbers with all joints in the middle of their play.
-    centred_geometry: Geometry<f64>,
-    dual_centred_geometry: Geometry<Dual<f64>>,
+    centred_geometry: TreeNumbers<f64>,
+    dual_centred_geometry: TreeNumbers<Dual<f64>>,
     /// Displacements, in the order of [`Mechanism::plays`].
     displacements: Vec<Vec2<f64>>,
     coordinates: Vec<f64>,
@@ -70,10 +70,10 @@ impl<'a> DisplacedLoops<'a> {
         Self {
             mechanism,
             values,
-            geometry: Geometry::new(&mechanism.model, tree, values),
-            dual_geometry: Geometry::new(&mechanism.model, tree, values),
-            centred_geometry: Geometry::new(&mechanism.model, tree, values),
-            dual_centred_geometry: Geometry::new(&mechanism.model, tree, values),
+            geometry: TreeNumbers::new(&mechanism.model, tree, values),
+            dual_geometry: TreeNumbers::new(&mechanism.model, tree, values),
+            centred_geometry: TreeNumbers::new(&mechanism.model, tree, values),
+            dual_centred_geometry: TreeNumbers::new(&mechanism.model, tree, values),
             displacements: vec![Vec2::zero(); mechanism.plays.len()],
             coordinates: vec![0.0; columns],
             centred: vec![0.0; columns],
@@ -361,7 +361,7 @@ impl<'a> DisplacedLoops<'a> {
     /// The position is singular.
     pub fn derivatives(
         &mut self,
-        geometry: &Geometry<Dual<f64>>,
+        geometry: &TreeNumbers<Dual<f64>>,
         driven: &[f64],
         readings: &[Position],
         arm_m: &dyn Fn(PointId) -> Vec2<Dual<f64>>,
@@ -415,13 +415,14 @@ impl<'a> DisplacedLoops<'a> {
     /// Closes the loops where no body turns far from `angles_rad`: close to a dead centre Newton's method may go anywhere.
     fn close_beside(&mut self, angles_rad: &[f64]) -> Result<(), AccuracyError> {
         self.close()?;
-        let turned = self.kinematics.poses.iter().zip(angles_rad).map(|(pose, before)| (pose.angle_rad - before).abs());
+        let turned =
+            self.kinematics.poses.iter().zip(angles_rad).map(|(pose, before)| (pose.angle_rad() - before).abs());
         if turned.fold(0.0, f64::max) > FURTHEST_RAD { Err(AccuracyError::SingularWithPlay) } else { Ok(()) }
     }
 
     fn keep_angles(&self, angles_rad: &mut Vec<f64>) {
         angles_rad.clear();
-        angles_rad.extend(self.kinematics.poses.iter().map(|pose| pose.angle_rad));
+        angles_rad.extend(self.kinematics.poses.iter().map(|pose| pose.angle_rad()));
     }
 
     /// Newton's method for Φ(q, e) = 0 over the free coordinates.

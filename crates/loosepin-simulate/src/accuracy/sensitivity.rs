@@ -4,7 +4,7 @@ use super::dimension::DimensionDirection;
 use super::error::AccuracyError;
 use super::loops::DisplacedLoops;
 use loosepin_math::{Dual, Vec2};
-use loosepin_mechanics::mechanism::{Geometry, Mechanism, numbered_point_m, workspace_length};
+use loosepin_mechanics::mechanism::{Mechanism, TreeNumbers, numbered_point_m, workspace_length};
 use loosepin_mechanics::model::{CycleSpan, DriveId, Position, Values};
 
 /// g_k = d(output)/d(e_k) for each output (outer) and each joint with play (inner), at the present position of `loops`, SI.
@@ -45,7 +45,7 @@ pub fn dimension_derivatives(
 ) -> Result<Vec<f64>, AccuracyError> {
     let (model, tree) = (&mechanism.model, &mechanism.ideal);
     let number = |id| Dual { value: values[id], derivative: direction.derivatives[id] };
-    let geometry = Geometry::from_numbers(model, tree, &number);
+    let geometry = TreeNumbers::from_numbers(model, tree, &number);
     let mut workspace = vec![Dual::constant(Dual::constant(Dual::constant(0.0))); workspace_length(model)];
     let mut motion = |drive: DriveId| {
         let law = &model.drives[drive.0].law;

@@ -125,7 +125,7 @@ impl UnprovenPositions<'_> {
     /// The body that a coordinate moves.
     fn body_of(&self, coordinate: Option<usize>) -> String {
         let mut links = self.mechanism.ideal.links.iter();
-        let link = links.find(|link| link.dependences.last().is_some_and(|last| Some(last.coordinate) == coordinate));
+        let link = links.find(|link| link.dependences.last().is_some_and(|last| Some(*last) == coordinate));
         link.map_or("the mechanism".to_owned(), |link| format!("'{}'", self.mechanism.model.bodies[link.body.0].name))
     }
 }

@@ -24,7 +24,7 @@ pub struct Angle {
 impl Quantity for Angle {
     fn value(&self, state: &IdealMotion<'_>) -> f64 {
         let poses = &state.kinematics().poses;
-        poses[self.second].angle_rad - poses[self.first].angle_rad + self.offset_rad
+        poses[self.second].angle_rad() - poses[self.first].angle_rad() + self.offset_rad
     }
 
     fn rate(&self, state: &IdealMotion<'_>) -> f64 {
@@ -49,7 +49,7 @@ pub struct Travel {
 
 impl Travel {
     fn direction(&self, state: &IdealMotion<'_>) -> Vec2<f64> {
-        let angle_rad = state.kinematics().poses[self.guide].angle_rad + self.angle_rad;
+        let angle_rad = state.kinematics().poses[self.guide].angle_rad() + self.angle_rad;
         Vec2::new(angle_rad.cos(), angle_rad.sin())
     }
 }

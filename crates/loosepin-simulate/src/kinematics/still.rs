@@ -44,7 +44,7 @@ pub fn bodies_that_move(mechanism: &Mechanism, values: &Values) -> Option<Vec<bo
         for (body, moved) in moved.iter_mut().enumerate() {
             let slot = mechanism.ideal.slot_of_body[body];
             let (before, now) = (&start[slot], &motion.kinematics().poses[slot]);
-            let turned_rad = now.angle_rad - before.angle_rad;
+            let turned_rad = now.angle_rad() - before.angle_rad();
             *moved |= (now.position_m - before.position_m).length() > SAME * mechanism.size_m
                 || (turned_rad - TAU * (turned_rad / TAU).round()).abs() > SAME;
         }

@@ -158,7 +158,7 @@ impl<T: Real> Motion<'_, T> {
         }
         for (turning, slot) in dynamics.mechanism().real.turning_slots().enumerate() {
             let (place, pose) = (layout.angle(turning), &dynamics.kinematics.poses[slot]);
-            row[place..place + 3].copy_from_slice(&[pose.angle_rad, pose.sine, pose.cosine]);
+            row[place..place + 3].copy_from_slice(&[pose.angle_rad(), pose.rotation.sine, pose.rotation.cosine]);
         }
     }
 

@@ -105,7 +105,7 @@ pub fn add_bending(drawing: &mut Drawing, mechanism: &Mechanism, dynamics: &Dyna
         for (list, value) in [
             (&mut poses.x_m[body], frame.position_m.x),
             (&mut poses.y_m[body], frame.position_m.y),
-            (&mut poses.angle_rad[body], frame.angle_rad),
+            (&mut poses.angle_rad[body], frame.angle_rad()),
         ] {
             list.last_mut().into_iter().for_each(|last| *last = value);
         }
@@ -170,7 +170,7 @@ pub fn add_pose(poses: &mut PoseTable, tree: &Tree, kinematics: &Kinematics<f64>
         let pose = &kinematics.poses[slot];
         poses.x_m[body].push(pose.position_m.x);
         poses.y_m[body].push(pose.position_m.y);
-        poses.angle_rad[body].push(pose.angle_rad);
+        poses.angle_rad[body].push(pose.angle_rad());
     }
 }
 

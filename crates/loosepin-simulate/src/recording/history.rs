@@ -399,7 +399,7 @@ impl<'a> Recorder<'a> {
         let dynamics = step.set_state(time_s);
         for (play, (motion, slots)) in dynamics.plays().iter().zip(dynamics.play_slots()).enumerate() {
             let bearing = &dynamics.kinematics.poses[slots[0]];
-            let e = motion.eccentricity_m.rotated(-bearing.sine, bearing.cosine);
+            let e = bearing.turn_back(motion.eccentricity_m);
             self.orbits[play].0.push(e.x);
             self.orbits[play].1.push(e.y);
         }
@@ -641,7 +641,7 @@ fn body_states(mechanism: &Mechanism, values: &Values, dynamics: &Dynamics<'_, f
         let arm = pose.turn(centre);
         let (position, velocity) = (pose.position_m + arm, twist.at(arm));
         let acceleration = acceleration_at(&change, twist, arm);
-        positions.extend([position.x, position.y, pose.angle_rad]);
+        positions.extend([position.x, position.y, pose.angle_rad()]);
         velocities.extend([velocity.x, velocity.y, twist.angular]);
         accelerations.extend([acceleration.x, acceleration.y, change.angular]);
     }

@@ -24,7 +24,7 @@ pub fn section(dynamics: &Dynamics<'_, f64>, turn_s: f64) -> Vec<Vec2<f64>> {
             let turn = turn_s / TAU;
             section.extend([
                 pose.position_m,
-                Vec2::new(pose.cosine, pose.sine),
+                Vec2::new(pose.rotation.cosine, pose.rotation.sine),
                 twist.linear * turn,
                 Vec2::new(twist.angular * turn, 0.0),
             ]);

@@ -48,7 +48,7 @@ impl SectionRecorder {
             dynamics.plays().iter().zip(dynamics.play_slots().iter().zip(&mut self.journals))
         {
             let bearing = &dynamics.kinematics.poses[slots[0]];
-            let e = motion.eccentricity_m.rotated(-bearing.sine, bearing.cosine);
+            let e = bearing.turn_back(motion.eccentricity_m);
             x_m.push(e.x);
             y_m.push(e.y);
         }

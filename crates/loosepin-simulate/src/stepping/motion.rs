@@ -9,7 +9,7 @@ use loosepin_math::Real;
 use loosepin_math::integrate::System;
 use loosepin_mechanics::contact::NormalContact;
 use loosepin_mechanics::dynamics::{ContactForce, ContactUnknowns, DepthRoot, Dynamics, PlayState};
-use loosepin_mechanics::mechanism::{Attachment, Mechanism, PlayGeometry, Sample};
+use loosepin_mechanics::mechanism::{Mechanism, PlayGeometry, Sample};
 use loosepin_mechanics::model::{PlayId, SlidingVelocity};
 
 /// Integrals of the energy account that every mechanism has: work supplied, contact loss, friction loss, J.
@@ -171,7 +171,7 @@ pub struct EnergyTotals<T> {
 }
 
 /// Equations of motion with the time and the roots of penetrations as unknowns, and the energy account as integrals.
-pub struct Motion<'a, T> {
+pub struct Motion<'a, T: Real> {
     /// The equations.
     pub dynamics: Dynamics<'a, T>,
     /// States of the contacts.
@@ -371,10 +371,8 @@ pub fn tolerances(
     let mut tolerances = vec![1.0; layout.dimension];
     tolerances[..n].fill(local_rad);
     for link in &tree.links {
-        match link.attachment {
-            Attachment::Prismatic { coordinate, .. } if coordinate < n => tolerances[coordinate] = local_m,
-            Attachment::Free { first } => tolerances[first..first + 2].fill(local_m),
-            _ => {}
+        if !link.is_driven {
+            tolerances[link.lengths()].fill(local_m);
         }
     }
     for beam in &tree.beams {

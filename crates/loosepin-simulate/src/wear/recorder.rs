@@ -146,7 +146,7 @@ fn turning_rad_s(dynamics: &Dynamics<'_, f64>, [bearing, journal]: [usize; 2]) -
 }
 
 fn angles(dynamics: &Dynamics<'_, f64>, slots: [usize; 2]) -> [f64; 2] {
-    slots.map(|slot| dynamics.kinematics.poses[slot].angle_rad)
+    slots.map(|slot| dynamics.kinematics.poses[slot].angle_rad())
 }
 
 fn angle(vector: Vec2<f64>) -> f64 {

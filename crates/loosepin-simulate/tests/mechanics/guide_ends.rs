@@ -149,11 +149,11 @@ impl Observer for Seen {
         let pose = &dynamics.kinematics.poses[1];
         let middle_m = pose.point_m(Vec2::new(MIDDLE_M[0], MIDDLE_M[1])) - Vec2::new(RAIL_M[0], RAIL_M[1]);
         self.middle_m = [middle_m.x, middle_m.y];
-        self.tilt_rad = pose.angle_rad;
+        self.tilt_rad = pose.angle_rad();
         self.furthest_m = self.furthest_m.max(middle_m.x);
         for force in self.last.iter().filter(|force| force.normal_n > 0.0) {
             if force.normal_n > self.largest_n {
-                (self.largest_n, self.tilt_at_largest_rad) = (force.normal_n, pose.angle_rad);
+                (self.largest_n, self.tilt_at_largest_rad) = (force.normal_n, pose.angle_rad());
             }
             if (START_M..END_M).contains(&force.along_m) { self.corners += 1 } else { self.edges += 1 }
         }

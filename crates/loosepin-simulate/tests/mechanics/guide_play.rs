@@ -102,7 +102,7 @@ impl Observer for Seen {
             let (poses, twists) = (&dynamics.kinematics.poses, &dynamics.kinematics.twists);
             let [crank, rod] = slots;
             self.at_1_ms =
-                Some([poses[crank].angle_rad, poses[rod].angle_rad, twists[crank].angular, twists[rod].angular]);
+                Some([poses[crank].angle_rad(), poses[rod].angle_rad(), twists[crank].angular, twists[rod].angular]);
         }
     }
     fn contact_begins(&mut self, onset: &Onset) {

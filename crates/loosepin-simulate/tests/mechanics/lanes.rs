@@ -86,7 +86,7 @@ impl Observer for Watcher {
         self.seen.paces.push([0, 1].map(|side| step.time(side)[1]));
         if self.looks_inside && self.seen.steps.len().is_multiple_of(17) {
             let poses = &step.evaluate(step.start_s + 0.37 * (step.end_s - step.start_s)).kinematics.poses;
-            let numbers = poses.iter().flat_map(|pose| [pose.position_m.x, pose.position_m.y, pose.angle_rad]);
+            let numbers = poses.iter().flat_map(|pose| [pose.position_m.x, pose.position_m.y, pose.angle_rad()]);
             self.seen.looks.extend(numbers.map(f64::to_bits));
         }
     }

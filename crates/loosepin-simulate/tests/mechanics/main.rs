@@ -18,6 +18,7 @@ mod outputs;
 mod power_balance;
 mod slot_ends;
 mod slot_play;
+mod space;
 mod spectra;
 mod trust;
 mod wear;

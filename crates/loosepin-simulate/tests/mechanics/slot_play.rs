@@ -325,7 +325,7 @@ impl Observer for Drift {
         let dynamics = step.evaluate(end_s);
         let [slot, pin] = [2, 1].map(|body| dynamics.mechanism().real.slot_of_body[body]);
         let poses = &dynamics.kinematics.poses;
-        let line_rad = poses[slot].angle_rad + 75f64.to_radians();
+        let line_rad = poses[slot].angle_rad() + 75f64.to_radians();
         let line = Vec2::new(line_rad.cos(), line_rad.sin());
         let e = poses[pin].point_m(Vec2::new(0.040, 0.0)) - poses[slot].point_m(Vec2::new(0.002, 0.004));
         self.off_m = self.off_m.max(line.turned().dot(e).abs());
@@ -373,7 +373,7 @@ fn analytic_an_ideal_slot_closes_wherever_the_crank_starts() {
         let yoke = case.mechanism.ideal.slot_of_body[2];
         let found = ideal.kinematics().poses[yoke];
         assert!(
-            (found.position_m.x - x_m).abs() < 1e-12 && found.angle_rad.abs() < 1e-12,
+            (found.position_m.x - x_m).abs() < 1e-12 && found.angle_rad().abs() < 1e-12,
             "{start_deg}°: {found:?} {x_m}"
         );
     }

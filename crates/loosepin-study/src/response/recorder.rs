@@ -510,7 +510,7 @@ fn read<'a>(
 }
 
 fn poses(dynamics: &Dynamics<'_, f64>) -> Vec<[f64; 3]> {
-    dynamics.kinematics.poses.iter().map(|p| [p.position_m.x, p.position_m.y, p.angle_rad]).collect()
+    dynamics.kinematics.poses.iter().map(|p| [p.position_m.x, p.position_m.y, p.angle_rad()]).collect()
 }
 
 #[cfg(test)]

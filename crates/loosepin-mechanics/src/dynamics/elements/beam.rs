@@ -4,9 +4,9 @@
 //! -Tᵀ (h + M (Aᵀ (γ_R - g), γ_θ, 0) + (0, 0, K q + C q̇)) to the forces (F3), γ the acceleration where the free coordinates have none.
 
 use crate::dynamics::equations::Dynamics;
-use crate::mechanism::{acceleration_at, moved, turned_by};
+use crate::mechanism::acceleration_at;
 use loosepin_flexible::Inertia;
-use loosepin_math::{Real, Vec2};
+use loosepin_math::{Geometry, Plane, Real, Vec2, Vector};
 
 impl<T: Real> Dynamics<'_, T> {
     /// Adds mass matrix and forces of all flexible bodies. Not every mechanism has them: out of line, or the compiler would take many
@@ -62,46 +62,45 @@ impl<T: Real> Dynamics<'_, T> {
             }
         }
 
-        let partials = self.kinematics.partials(place.slot);
-        let turned_arm = root_arm.turned();
         let on_root = Vec2::new(workspace.forces[0], workspace.forces[1]).rotated(axis.y, axis.x);
-        for (k, (dependence, partial)) in link.dependences.iter().zip(partials).enumerate() {
-            let velocity = moved(*partial, turned_arm, dependence.turning);
-            let force = &mut self.forces[dependence.coordinate];
-            let sum = turned_by(*force, workspace.forces[2], dependence.turning);
-            *force = on_root.x.mul_add(velocity.x, on_root.y.mul_add(velocity.y, sum));
+        for (k, column) in self.kinematics.columns(tree, place.slot).enumerate() {
+            let velocity = column.at(root_arm);
+            let force = &mut self.equations.forces[column.coordinate];
+            *force = on_root.inner_plus(velocity, Plane::push(workspace.forces[2], column.turning, *force));
             let own = into_frame(velocity);
             for (row, carried) in workspace.carried[k * size..(k + 1) * size].iter_mut().enumerate() {
                 let row = &mass[row * size..row * size + 3];
                 let moving = row[0].mul_add(own.x, row[1] * own.y);
-                *carried = turned_by(moving, row[2], dependence.turning);
+                *carried = Plane::push(row[2], column.turning, moving);
             }
             for (l, other) in link.dependences[..=k].iter().enumerate() {
-                let (high, low) =
-                    (dependence.coordinate.max(other.coordinate), dependence.coordinate.min(other.coordinate));
+                let (high, low) = (column.coordinate.max(*other), column.coordinate.min(*other));
                 if low >= n {
                     continue;
                 }
-                let to =
-                    if high < n { &mut self.mass[high * n + low] } else { &mut self.driven_mass[(high - n) * n + low] };
+                let to = if high < n {
+                    &mut self.equations.mass[high * n + low]
+                } else {
+                    &mut self.equations.driven_mass[(high - n) * n + low]
+                };
                 let of_other = &workspace.carried[l * size..(l + 1) * size];
                 let sum = of_other[0].mul_add(own.x, of_other[1].mul_add(own.y, *to));
-                *to = turned_by(sum, of_other[2], dependence.turning);
+                *to = Plane::push(of_other[2], column.turning, sum);
             }
             for (shape, coordinate) in place.coordinates.clone().enumerate() {
                 let coupling = workspace.carried[k * size + 3 + shape];
-                let (high, low) = (dependence.coordinate.max(coordinate), dependence.coordinate.min(coordinate));
+                let (high, low) = (column.coordinate.max(coordinate), column.coordinate.min(coordinate));
                 if high < n {
-                    self.mass[high * n + low] += coupling;
+                    self.equations.mass[high * n + low] += coupling;
                 } else {
-                    self.driven_mass[(high - n) * n + low] += coupling;
+                    self.equations.driven_mass[(high - n) * n + low] += coupling;
                 }
             }
         }
         for (shape, coordinate) in place.coordinates.clone().enumerate() {
-            self.forces[coordinate] += workspace.forces[3 + shape];
+            self.equations.forces[coordinate] += workspace.forces[3 + shape];
             for (other, column) in place.coordinates.clone().take(shape + 1).enumerate() {
-                self.mass[coordinate * n + column] += mass[(3 + shape) * size + 3 + other];
+                self.equations.mass[coordinate * n + column] += mass[(3 + shape) * size + 3 + other];
             }
         }
     }
@@ -115,7 +114,7 @@ impl<T: Real> Dynamics<'_, T> {
         let at_root = acceleration_at(&change, &self.kinematics.twists[place.slot], pose.turn(numbers.root_m));
         let fall = (at_root - self.sample.real.gravity_m_s2).rotated(-axis.y, axis.x);
         let Inertia { size, mass, bias, .. } = &self.beam_workspaces[index].inertia;
-        let of_shapes = &self.accelerations[place.coordinates.clone()];
+        let of_shapes = &self.equations.accelerations[place.coordinates.clone()];
         let along = |row: usize| {
             let row_of = &mass[row * size..(row + 1) * size];
             let frame =

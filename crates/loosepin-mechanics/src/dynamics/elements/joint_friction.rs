@@ -109,7 +109,7 @@ impl<T: Real> JointFrictions<T> {
                     let mut beyond = vec![false; tree.links.len() + 1];
                     for (index, link) in tree.links.iter().enumerate() {
                         beyond[index + 1] =
-                            beyond[link.parent_slot] || link.attachment.joint().is_some_and(|(own, _)| own == joint);
+                            beyond[link.parent_slot] || link.joint().is_some_and(|(own, _)| own == joint);
                     }
                     Carrier::Tree { beyond }
                 });

@@ -52,7 +52,7 @@ impl<T: Real> Dynamics<'_, T> {
 }
 
 /// The place of a load at the current state.
-struct LoadAtState<'s, T> {
+struct LoadAtState<'s, T: Real> {
     pose: &'s Pose<T>,
     twist: &'s Twist<T>,
     /// The point that it acts on, in the frame of the body, m.

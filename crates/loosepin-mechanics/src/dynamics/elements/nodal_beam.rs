@@ -6,9 +6,9 @@
 
 use crate::dynamics::elements::nodal_workspace::{Column, NodalWorkspace};
 use crate::dynamics::equations::Dynamics;
-use crate::mechanism::{Pose, Twist, acceleration_at, moved};
+use crate::mechanism::{Pose, Twist, acceleration_at};
 use loosepin_flexible::{MassEntries, Nodal, even_shares};
-use loosepin_math::{Real, Vec2, arctangent};
+use loosepin_math::{Geometry, Plane, PlaneRotation, Real, Vec2, arctangent};
 
 impl<T: Real> Dynamics<'_, T> {
     /// Nodes and their rates at the state that is set. Out of line: few mechanisms have them.
@@ -64,18 +64,16 @@ impl<T: Real> Dynamics<'_, T> {
             let (pose, twist) = (&self.kinematics.poses[slot], &self.kinematics.twists[slot]);
             let bias = &self.kinematics.biases[slot];
             let (arm, axis) = (pose.turn(arm_m), pose.turn(numbers.axis));
-            let across = axis.turned() * self.coordinates[stretch];
-            let (columns, dependences) = (&mut ends[side], &tree.links[slot - 1].dependences);
-            for ((column, dependence), partial) in
-                columns.iter_mut().zip(dependences).zip(self.kinematics.partials(slot))
-            {
-                *column = Column {
-                    coordinate: dependence.coordinate,
-                    position: moved(*partial, arm.turned(), dependence.turning),
-                    slope: moved(Vec2::zero(), across, dependence.turning),
+            let along = axis * self.coordinates[stretch];
+            let columns = &mut ends[side];
+            for (to, column) in columns.iter_mut().zip(self.kinematics.columns(tree, slot)) {
+                *to = Column {
+                    coordinate: column.coordinate,
+                    position: column.at(arm),
+                    slope: Plane::moved(Vec2::zero(), column.turning, along),
                 };
             }
-            columns[dependences.len()] = Column { coordinate: stretch, position: Vec2::zero(), slope: axis };
+            columns[tree.dependences(slot).len()] = Column { coordinate: stretch, position: Vec2::zero(), slope: axis };
 
             let of_position = acceleration_at(bias, twist, arm);
             let growth = self.rates[stretch];
@@ -92,10 +90,10 @@ impl<T: Real> Dynamics<'_, T> {
         for (columns, force) in ends.iter().zip([forces[0], forces[last]]) {
             for column in columns {
                 let of_slope = column.slope.dot(force.slope);
-                self.forces[column.coordinate] += column.position.dot(force.position) + of_slope;
+                self.equations.forces[column.coordinate] += column.position.dot(force.position) + of_slope;
             }
         }
-        let mut matrix = Matrix { free: n, mass: &mut self.mass, driven: &mut self.driven_mass };
+        let mut matrix = Matrix { free: n, mass: &mut self.equations.mass, driven: &mut self.equations.driven_mass };
         for (columns, sign) in ends.iter().zip([T::one(), -T::one()]) {
             matrix.add_end(columns, &mass, sign);
         }
@@ -109,7 +107,7 @@ impl<T: Real> Dynamics<'_, T> {
             for (coordinate, force) in
                 [force.position.x, force.position.y, force.slope.x, force.slope.y].into_iter().enumerate()
             {
-                self.forces[first + coordinate] += force;
+                self.equations.forces[first + coordinate] += force;
             }
             matrix.add_node(first, &mass);
             if node > 1 {
@@ -136,7 +134,8 @@ impl<T: Real> Dynamics<'_, T> {
             let change = self.acceleration(slot);
             let (arm, axis) = (pose.turn(arm_m), pose.turn(numbers.axis));
             let (s, growth) = (self.coordinates[stretch], self.rates[stretch]);
-            let of_slope = slope_acceleration(&change, twist, axis, s, growth).plus(axis, self.accelerations[stretch]);
+            let of_slope =
+                slope_acceleration(&change, twist, axis, s, growth).plus(axis, self.equations.accelerations[stretch]);
             Nodal { position: acceleration_at(&change, twist, arm), slope: of_slope }
         };
         let last = place.mesh.elements();
@@ -144,7 +143,7 @@ impl<T: Real> Dynamics<'_, T> {
         accelerations[0] = end(place.slot, numbers.root_m, place.root_stretch());
         accelerations[last] = end(place.tip_slot, numbers.tip_m, place.tip_stretch());
         for (node, acceleration) in accelerations.iter_mut().enumerate().take(last).skip(1) {
-            *acceleration = nodal(&self.accelerations[place.node(node)..place.node(node) + 4]);
+            *acceleration = nodal(&self.equations.accelerations[place.node(node)..place.node(node) + 4]);
         }
         accelerations
     }
@@ -197,10 +196,10 @@ impl Dynamics<'_, f64> {
         let way_m = nodes[nodes.len() - 1].position - nodes[0].position;
         let axis = pose.turn(numbers.axis);
         let turn_rad = 2.0 * arctangent(axis.cross(way_m) / (way_m.length() + axis.dot(way_m)));
-        let angle_rad = pose.angle_rad + turn_rad;
+        let angle_rad = pose.angle_rad() + turn_rad;
         let (sine, cosine) = Real::sin_cos(angle_rad);
         let position_m = nodes[0].position - numbers.root_m.rotated(sine, cosine);
-        Pose { position_m, angle_rad, sine, cosine }
+        Pose { position_m, rotation: PlaneRotation { angle_rad, sine, cosine } }
     }
 
     /// `count` >= 2 points of the axis of the flexible body `index` in absolute nodal coordinates at the last state that was set, evenly from

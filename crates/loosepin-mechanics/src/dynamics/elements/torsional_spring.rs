@@ -12,7 +12,7 @@ pub fn torsional_spring<T: Real>(
     [i, j]: [usize; 2],
     spring: &SpringGeometry<T>,
 ) -> SpringForce<T> {
-    let angle_rad = kinematics.poses[j].angle_rad - kinematics.poses[i].angle_rad;
+    let angle_rad = kinematics.poses[j].angle_rad() - kinematics.poses[i].angle_rad();
     let rate_rad_s = kinematics.twists[j].angular - kinematics.twists[i].angular;
     SpringForce {
         arms_m: [Vec2::zero(); 2],

@@ -50,7 +50,7 @@ impl<T: Real> PlayMotion<T> {
             bearing_arm_m,
             journal_arm_m,
             spins_rad_s: [twist_i.angular, twist_j.angular],
-            angles_rad: [kinematics.poses[i].angle_rad, kinematics.poses[j].angle_rad],
+            angles_rad: [kinematics.poses[i].angle_rad(), kinematics.poses[j].angle_rad()],
             directions: {
                 let [line, axis] = play.shape.directions();
                 [(line, i), (axis, j)]

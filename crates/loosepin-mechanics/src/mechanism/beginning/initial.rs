@@ -3,8 +3,8 @@
 use crate::mechanism::error::MechanismError;
 use crate::mechanism::loops::constraints;
 use crate::mechanism::parts::drive::Drives;
-use crate::mechanism::tree::geometry::Geometry;
-use crate::mechanism::tree::kinematics::{Kinematics, moved};
+use crate::mechanism::tree::kinematics::Kinematics;
+use crate::mechanism::tree::numbers::TreeNumbers;
 use crate::mechanism::tree::spanning_tree::Tree;
 use crate::model::{Axis, InitialNumber, InitialOf, InitialValue, JointId, Model, Values};
 use loosepin_math::Vec2;
@@ -30,18 +30,16 @@ pub fn conditions(model: &Model, is_rate: bool) -> impl Iterator<Item = (usize, 
 pub fn value_and_gradient(
     model: &Model,
     tree: &Tree,
-    geometry: &Geometry<f64>,
+    geometry: &TreeNumbers<f64>,
     kinematics: &Kinematics<f64>,
     of: InitialOf,
     row: &mut [f64],
 ) -> f64 {
     let mut turn = |slot: usize, sign: f64| {
-        if slot > 0 {
-            for dependence in &tree.links[slot - 1].dependences {
-                row[dependence.coordinate] += sign * dependence.turning;
-            }
+        for column in kinematics.columns(tree, slot) {
+            row[column.coordinate] += sign * column.turning;
         }
-        sign * kinematics.poses[slot].angle_rad
+        sign * kinematics.poses[slot].angle_rad()
     };
     match of {
         InitialOf::BodyAngle(body) => turn(tree.slot_of_body[body.0], 1.0),
@@ -55,8 +53,8 @@ pub fn value_and_gradient(
                 Axis::X => vector.x,
                 Axis::Y => vector.y,
             };
-            for (dependence, partial) in tree.links[slot - 1].dependences.iter().zip(kinematics.partials(slot)) {
-                row[dependence.coordinate] += along(*partial);
+            for column in kinematics.columns(tree, slot) {
+                row[column.coordinate] += along(column.linear);
             }
             along(kinematics.poses[slot].position_m)
         }
@@ -65,19 +63,14 @@ pub fn value_and_gradient(
             let poses = slots.map(|slot| kinematics.poses[slot]);
             let arms = [0, 1].map(|side| poses[side].turn(arms_m[side]));
             let gap = poses[1].position_m + arms[1] - poses[0].position_m - arms[0];
-            let (sine, cosine) = loosepin_math::sin_cos(poses[0].angle_rad + line_rad);
+            let (sine, cosine) = loosepin_math::sin_cos(poses[0].angle_rad() + line_rad);
             let line = Vec2::new(cosine, sine);
             for (side, sign) in [(0, -1.0), (1, 1.0)] {
-                if slots[side] == 0 {
-                    continue;
-                }
-                let dependences = &tree.links[slots[side] - 1].dependences;
-                for (dependence, partial) in dependences.iter().zip(kinematics.partials(slots[side])) {
-                    let velocity = moved(*partial, arms[side].turned(), dependence.turning);
-                    row[dependence.coordinate] += sign * line.dot(velocity);
+                for column in kinematics.columns(tree, slots[side]) {
+                    row[column.coordinate] += sign * line.dot(column.at(arms[side]));
                     if side == 0 {
                         // The line turns with the guide.
-                        row[dependence.coordinate] += dependence.turning * line.turned().dot(gap);
+                        row[column.coordinate] += column.turning * line.turned().dot(gap);
                     }
                 }
             }
@@ -90,15 +83,17 @@ pub fn value_and_gradient(
 fn guide(
     model: &Model,
     tree: &Tree,
-    geometry: &Geometry<f64>,
+    geometry: &TreeNumbers<f64>,
     joint: JointId,
 ) -> Option<([usize; 2], [Vec2<f64>; 2], f64)> {
     let slots = model.joints[joint.0].kind.bodies().map(|body| tree.slot_of_body[body.0]);
-    let of_link = tree.links.iter().zip(&geometry.links).find_map(|(link, numbers)| match link.attachment.joint() {
+    let of_link = tree.links.iter().zip(&geometry.links).find_map(|(link, numbers)| match link.joint() {
         Some((own, true)) if own == joint => {
-            Some(([numbers.parent_arm_m, numbers.own_arm_m], numbers.parent_angle_rad))
+            Some(([numbers.parent_arm_m, numbers.own_arm_m], numbers.mount.parent_angle_rad))
         }
-        Some((own, false)) if own == joint => Some(([numbers.own_arm_m, numbers.parent_arm_m], numbers.own_angle_rad)),
+        Some((own, false)) if own == joint => {
+            Some(([numbers.own_arm_m, numbers.parent_arm_m], numbers.mount.own_angle_rad))
+        }
         _ => None,
     });
     let of_cut = || {
@@ -117,14 +112,14 @@ pub struct StartEquations<'a> {
     /// Its ideal tree.
     pub tree: &'a Tree,
     /// The numbers of the sample.
-    pub geometry: &'a Geometry<f64>,
+    pub geometry: &'a TreeNumbers<f64>,
     /// Given values by index of the model's list.
     numbers: &'a [f64],
 }
 
 impl<'a> StartEquations<'a> {
     /// For a sample.
-    pub fn new(model: &'a Model, tree: &'a Tree, geometry: &'a Geometry<f64>, numbers: &'a [f64]) -> Self {
+    pub fn new(model: &'a Model, tree: &'a Tree, geometry: &'a TreeNumbers<f64>, numbers: &'a [f64]) -> Self {
         Self { model, tree, geometry, numbers }
     }
 

@@ -20,7 +20,7 @@ pub(in crate::mechanism) fn set_undeformed(
         let reach = root.plus(axis, numbers.beam.length_m * node as f64 / last as f64);
         let (position, velocity) = (pose.position_m + reach, twist.at(reach));
         let (slope, rate) = match node == last {
-            true => ([pose.angle_rad, 1.0], [twist.angular, 0.0]),
+            true => ([pose.angle_rad(), 1.0], [twist.angular, 0.0]),
             false => ([axis.x, axis.y], [turning.x, turning.y]),
         };
         let first = place.node(node);

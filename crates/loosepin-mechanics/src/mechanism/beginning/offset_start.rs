@@ -6,8 +6,8 @@ use crate::mechanism::error::SampleError;
 use crate::mechanism::ideal::IdealMotion;
 use crate::mechanism::loops::constraints;
 use crate::mechanism::sample::Sample;
-use crate::mechanism::tree::geometry::Geometry;
 use crate::mechanism::tree::kinematics::{Kinematics, Twist};
+use crate::mechanism::tree::numbers::TreeNumbers;
 use loosepin_math::{Dual, Numbers, Vec2, solve_square};
 
 /// Pivot ratio of the loop equations below which the start is singular.
@@ -15,7 +15,7 @@ const SINGULAR_PIVOT_RATIO: f64 = 1e-9;
 
 impl Mechanism {
     /// The numbers of the ideal tree with journals at `offsets`: e is a part of the loop equations, Φ(q, t, e) = 0.
-    pub fn displaced(&self, ideal: &Geometry<f64>, offsets: &[StartOffset]) -> Geometry<f64> {
+    pub fn displaced(&self, ideal: &TreeNumbers<f64>, offsets: &[StartOffset]) -> TreeNumbers<f64> {
         let mut geometry = ideal.clone();
         for own in offsets {
             geometry.set_displacement(&self.ideal, self.plays[own.play], own.offset_m, ideal);
@@ -45,14 +45,14 @@ impl Mechanism {
     fn add_velocities(
         &self,
         ideal: &IdealMotion<'_>,
-        geometry: &Geometry<f64>,
-        (centred, offsets): (&Geometry<f64>, &[StartOffset]),
+        geometry: &TreeNumbers<f64>,
+        (centred, offsets): (&TreeNumbers<f64>, &[StartOffset]),
         kinematics: &mut Kinematics<f64>,
     ) -> Result<(), SampleError> {
         let tree = &self.ideal;
         let (n, columns, rows) = (tree.free, tree.coordinates(), tree.constraint_rows());
-        let mut moving = Geometry::<Dual<f64>>::broadcast(geometry);
-        let centred = Geometry::<Dual<f64>>::broadcast(centred);
+        let mut moving = TreeNumbers::<Dual<f64>>::broadcast(geometry);
+        let centred = TreeNumbers::<Dual<f64>>::broadcast(centred);
         for own in offsets {
             let [x, y] = [(own.offset_m.x, own.velocity_m_s.x), (own.offset_m.y, own.velocity_m_s.y)]
                 .map(|(value, derivative)| Dual { value, derivative });
@@ -83,7 +83,7 @@ impl Mechanism {
         for (twist, pose) in kinematics.twists.iter_mut().zip(&duals.poses) {
             *twist = Twist {
                 linear: Vec2::new(pose.position_m.x.derivative, pose.position_m.y.derivative),
-                angular: pose.angle_rad.derivative,
+                angular: pose.angle_rad().derivative,
             };
         }
         Ok(())

@@ -2,8 +2,8 @@
 
 use crate::mechanism::point_rows::PointRowsAtState;
 use crate::mechanism::tree::cut_geometry::CutGeometry;
-use crate::mechanism::tree::geometry::Geometry;
-use crate::mechanism::tree::kinematics::{Kinematics, Pose, acceleration_at, moved};
+use crate::mechanism::tree::kinematics::{Kinematics, Pose, acceleration_at};
+use crate::mechanism::tree::numbers::TreeNumbers;
 use crate::mechanism::tree::spanning_tree::Tree;
 use crate::model::{JointId, Model, describe_path};
 use loosepin_math::{Real, Vec2};
@@ -13,13 +13,13 @@ use std::fmt;
 /// Residuals Φ of all cut joints, in their order: m for points that should coincide or lie on a line or a circle, sine of the
 /// angle for bodies that should not turn against each other. Then those of all couplings, rad or m.
 #[inline(never)]
-pub fn residuals<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinematics<T>, out: &mut [T]) {
+pub fn residuals<T: Real>(tree: &Tree, geometry: &TreeNumbers<T>, kinematics: &Kinematics<T>, out: &mut [T]) {
     let mut row = 0;
     for (cut, numbers) in tree.cuts.iter().zip(&geometry.cuts) {
         let poses = cut.slots.map(|slot| kinematics.poses[slot]);
         let gap = poses[1].point_m(numbers.arms_m[1]) - poses[0].point_m(numbers.arms_m[0]);
         let keeps = cut.rows.keeps;
-        let residuals = PointRowsAtState::at(keeps, numbers, poses[0].angle_rad, gap).residuals();
+        let residuals = PointRowsAtState::at(keeps, numbers, poses[0].angle_rad(), gap).residuals();
         out[row..row + keeps.count()].copy_from_slice(&residuals[..keeps.count()]);
         if cut.rows.holds_angle {
             out[row + cut.rows.count() - 1] = turn(numbers, &poses).sin_cos().0;
@@ -34,12 +34,12 @@ pub fn residuals<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kine
 /// How far the second body of a cut is turned from the first, rad.
 #[inline(always)]
 fn turn<T: Real>(numbers: &CutGeometry<T>, poses: &[Pose<T>; 2]) -> T {
-    poses[1].angle_rad + numbers.angles_rad[1] - poses[0].angle_rad - numbers.angles_rad[0]
+    poses[1].angle_rad() + numbers.angles_rad[1] - poses[0].angle_rad() - numbers.angles_rad[0]
 }
 
 /// The Jacobian dΦ/dz, row-major, `tree.constraint_rows()` × `tree.coordinates()` (driven coordinates last).
 #[inline(never)]
-pub fn jacobian<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinematics<T>, out: &mut [T]) {
+pub fn jacobian<T: Real>(tree: &Tree, geometry: &TreeNumbers<T>, kinematics: &Kinematics<T>, out: &mut [T]) {
     let columns = tree.coordinates();
     out.fill(T::zero());
     let mut row = 0;
@@ -48,18 +48,16 @@ pub fn jacobian<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinem
         let arms = [0, 1].map(|side| poses[side].turn(numbers.arms_m[side]));
         let gap = poses[1].position_m + arms[1] - poses[0].position_m - arms[0];
         let keeps = cut.rows.keeps;
-        let kept = PointRowsAtState::at(keeps, numbers, poses[0].angle_rad, gap);
+        let kept = PointRowsAtState::at(keeps, numbers, poses[0].angle_rad(), gap);
         let turn_cosine = if cut.rows.holds_angle { turn(numbers, &poses).sin_cos().1 } else { T::zero() };
         for (side, sign) in [(0, -T::one()), (1, T::one())] {
             let slot = cut.slots[side];
             if slot == 0 {
                 continue;
             }
-            let dependences = &tree.links[slot - 1].dependences;
-            for (dependence, partial) in dependences.iter().zip(kinematics.partials(slot)) {
-                let column = dependence.coordinate;
-                let turning = T::from_f64(dependence.turning);
-                let velocity = moved(*partial, arms[side].turned(), dependence.turning) * sign;
+            for velocities in kinematics.columns(tree, slot) {
+                let (column, turning) = (velocities.coordinate, T::from_f64(velocities.turning));
+                let velocity = velocities.at(arms[side]) * sign;
                 let rates = kept.rates(velocity, (side == 0).then_some(turning));
                 for (k, rate) in rates.into_iter().enumerate().take(keeps.count()) {
                     out[(row + k) * columns + column] += rate;
@@ -82,7 +80,7 @@ pub fn jacobian<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinem
 #[inline(never)]
 pub fn gradient<T: Real>(
     tree: &Tree,
-    geometry: &Geometry<T>,
+    geometry: &TreeNumbers<T>,
     kinematics: &Kinematics<T>,
     moves: impl Fn(usize) -> bool,
     motion: impl Fn(usize) -> (Vec2<T>, T),
@@ -100,7 +98,7 @@ pub fn gradient<T: Real>(
             let velocity = linear.plus(arms[side].turned(), spin) * sign;
             let gap = poses[1].position_m + arms[1] - poses[0].position_m - arms[0];
             let keeps = cut.rows.keeps;
-            let kept = PointRowsAtState::at(keeps, numbers, poses[0].angle_rad, gap);
+            let kept = PointRowsAtState::at(keeps, numbers, poses[0].angle_rad(), gap);
             let rates = kept.rates(velocity, (side == 0).then_some(spin));
             out[row..row + keeps.count()].copy_from_slice(&rates[..keeps.count()]);
             if cut.rows.holds_angle {
@@ -121,7 +119,7 @@ pub fn gradient<T: Real>(
 /// Cosine of the angle between the bodies of the cut whose rows begin at `row`, which may be ±1 where they do not turn against
 /// each other: its multiplier is a moment over it.
 #[inline(always)]
-pub fn turn_cosine<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinematics<T>, row: usize) -> T {
+pub fn turn_cosine<T: Real>(tree: &Tree, geometry: &TreeNumbers<T>, kinematics: &Kinematics<T>, row: usize) -> T {
     let mut first = 0;
     let index = tree.cuts.iter().position(|cut| {
         first += cut.rows.count();
@@ -135,7 +133,7 @@ pub fn turn_cosine<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Ki
 
 /// d²Φ/dt² when the free coordinates have no acceleration. Needs the biases of `kinematics`.
 #[inline(never)]
-pub fn biases<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinematics<T>, out: &mut [T]) {
+pub fn biases<T: Real>(tree: &Tree, geometry: &TreeNumbers<T>, kinematics: &Kinematics<T>, out: &mut [T]) {
     let mut row = 0;
     for (cut, numbers) in tree.cuts.iter().zip(&geometry.cuts) {
         let arms = [0, 1].map(|side| kinematics.poses[cut.slots[side]].turn(numbers.arms_m[side]));
@@ -147,7 +145,7 @@ pub fn biases<T: Real>(tree: &Tree, geometry: &Geometry<T>, kinematics: &Kinemat
         let velocity = twists[1].at(arms[1]) - twists[0].at(arms[0]);
         let gap = poses[1].position_m + arms[1] - poses[0].position_m - arms[0];
         let keeps = cut.rows.keeps;
-        let kept = PointRowsAtState::at(keeps, numbers, poses[0].angle_rad, gap);
+        let kept = PointRowsAtState::at(keeps, numbers, poses[0].angle_rad(), gap);
         let biases = kept.biases(velocity, acceleration, [twists[0].angular, changes[0].angular]);
         out[row..row + keeps.count()].copy_from_slice(&biases[..keeps.count()]);
         if cut.rows.holds_angle {

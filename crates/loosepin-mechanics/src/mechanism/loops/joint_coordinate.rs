@@ -5,7 +5,7 @@
 //! slot likewise.
 
 use crate::mechanism::loops::joint_geometry::JointGeometry;
-use crate::mechanism::tree::kinematics::{Kinematics, Twist, acceleration_at, moved};
+use crate::mechanism::tree::kinematics::{Kinematics, Twist, acceleration_at};
 use crate::mechanism::tree::spanning_tree::{JointPlace, Tree};
 use loosepin_math::{Real, Vec2};
 
@@ -31,7 +31,7 @@ impl<T: Real> JointGeometry<T> {
     pub fn motion(&self, place: &JointPlace, kinematics: &Kinematics<T>) -> [T; 2] {
         let ([i, j], twists) = (place.slots, &kinematics.twists);
         if !place.is_prismatic {
-            let angle_rad = kinematics.poses[j].angle_rad - kinematics.poses[i].angle_rad;
+            let angle_rad = kinematics.poses[j].angle_rad() - kinematics.poses[i].angle_rad();
             return [angle_rad, twists[j].angular - twists[i].angular];
         }
         let Sliding { line, arms_m, gap_m } = self.sliding(place.slots, kinematics);
@@ -79,15 +79,14 @@ impl<T: Real> JointGeometry<T> {
                 continue;
             }
             let signed = factor * T::from_f64(sign);
-            for (dependence, partial) in tree.links[slot - 1].dependences.iter().zip(kinematics.partials(slot)) {
-                let to = &mut row[dependence.coordinate];
-                let turning = T::from_f64(dependence.turning);
+            for column in kinematics.columns(tree, slot) {
+                let to = &mut row[column.coordinate];
+                let turning = T::from_f64(column.turning);
                 let Some(Sliding { line, arms_m, gap_m }) = &sliding else {
                     *to += signed * turning;
                     continue;
                 };
-                let velocity = moved(*partial, arms_m[side].turned(), dependence.turning);
-                *to += signed * line.dot(velocity);
+                *to += signed * line.dot(column.at(arms_m[side]));
                 if side == 0 {
                     // The line turns with the guide.
                     *to += factor * turning * line.turned().dot(*gap_m);

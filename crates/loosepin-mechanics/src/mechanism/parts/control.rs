@@ -3,7 +3,7 @@
 use crate::mechanism::error::MechanismError;
 use crate::mechanism::loops::joint_geometry::JointGeometry;
 use crate::mechanism::parts::load::CourseNumbers;
-use crate::mechanism::tree::geometry::Geometry;
+use crate::mechanism::tree::numbers::TreeNumbers;
 use crate::mechanism::tree::spanning_tree::Tree;
 use crate::model::{Control, FeedForward, JointId, Model, QuantityId, Values};
 use loosepin_math::{Real, numbers};
@@ -60,7 +60,7 @@ pub struct KnownChain {
     /// Its tree. Driven coordinates are numbered over the drives of the model, then over its controls.
     pub tree: Tree,
     /// Its numbers.
-    pub geometry: Geometry<f64>,
+    pub geometry: TreeNumbers<f64>,
 }
 
 impl KnownChain {
@@ -81,7 +81,7 @@ impl KnownChain {
         if tree.free > 0 {
             return Err(refused(HAS_FREE_JOINTS));
         }
-        let geometry = Geometry::new(model, &tree, values);
+        let geometry = TreeNumbers::new(model, &tree, values);
         Ok(Some(Self { tree, geometry }))
     }
 

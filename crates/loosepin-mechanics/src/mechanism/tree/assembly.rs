@@ -6,9 +6,9 @@ use crate::mechanism::loops::constraints::LargestResidual;
 use crate::mechanism::parts::drive::Drives;
 use crate::mechanism::parts::drive_place::drive_place;
 use crate::mechanism::tree::cut_geometry::CutGeometry;
-use crate::mechanism::tree::geometry::Geometry;
 use crate::mechanism::tree::kinematics::{Kinematics, Pose};
-use crate::mechanism::tree::spanning_tree::{Attachment, Cut, Tree};
+use crate::mechanism::tree::numbers::TreeNumbers;
+use crate::mechanism::tree::spanning_tree::{Cut, Tree};
 use crate::model::{Model, Values};
 use loosepin_math::solve_sparse_symmetric;
 
@@ -78,7 +78,7 @@ pub fn assemble(equations: &StartEquations<'_>, values: &Values, size_m: f64) ->
         let is_known = found.iter().any(|known| known.is_the_same(&poses, size_m));
         if !is_known {
             // Without hints the distance is zero, so that the first configuration found stays the first.
-            let distance = hints.iter().map(|&(slot, hint)| 1.0 - (poses[slot].angle_rad - hint).cos()).sum();
+            let distance = hints.iter().map(|&(slot, hint)| 1.0 - (poses[slot].angle_rad() - hint).cos()).sum();
             found.push(Configuration { distance, coordinates: z, poses });
         }
         if tree.constraint_rows() == 0 && model.initial.is_empty() {
@@ -89,7 +89,7 @@ pub fn assemble(equations: &StartEquations<'_>, values: &Values, size_m: f64) ->
     let mut found = found.into_iter();
     match found.next() {
         Some(chosen) => {
-            let angles_rad = |other: Configuration| other.poses.iter().map(|pose| pose.angle_rad).collect();
+            let angles_rad = |other: Configuration| other.poses.iter().map(|pose| pose.angle_rad()).collect();
             Ok(Assembly { coordinates: chosen.coordinates, alternatives_rad: found.map(angles_rad).collect() })
         }
         None => {
@@ -135,7 +135,7 @@ impl Configuration {
     fn is_the_same(&self, poses: &[Pose<f64>], size_m: f64) -> bool {
         self.poses.iter().zip(poses).all(|(a, b)| {
             (a.position_m - b.position_m).length() < SAME * size_m
-                && ((a.angle_rad - b.angle_rad) / 2.0).sin().abs() < SAME
+                && ((a.angle_rad() - b.angle_rad()) / 2.0).sin().abs() < SAME
         })
     }
 }
@@ -158,11 +158,10 @@ fn starting_point(
         let spread = (start as f64 * (0.618_033_988_749_895 + 0.137_1 * index as f64)).fract();
         let angle = hint_of_slot[index + 1].unwrap_or(std::f64::consts::TAU * if start == 0 { 0.0 } else { spread });
         let length = if start == 0 { 0.0 } else { size_m * (2.0 * spread - 1.0) };
-        match link.attachment {
-            Attachment::Revolute { coordinate, .. } => z[coordinate] = angle,
-            Attachment::Prismatic { coordinate, .. } if coordinate < tree.free => z[coordinate] = length,
-            Attachment::Free { first } => z[first + 2] = angle,
-            _ => {}
+        if let Some(coordinate) = link.angle() {
+            z[coordinate] = angle;
+        } else if !link.is_driven {
+            z[link.lengths()].fill(length);
         }
     }
     z
@@ -194,10 +193,8 @@ fn close(
     // Lengths are counted in sizes of the mechanism, so that they weigh like angles.
     let mut scale = vec![1.0; n];
     for link in &tree.links {
-        match link.attachment {
-            Attachment::Prismatic { coordinate, .. } if coordinate < n => scale[coordinate] = size_m,
-            Attachment::Free { first } => scale[first..first + 2].fill(size_m),
-            _ => {}
+        if !link.is_driven {
+            scale[link.lengths()].fill(size_m);
         }
     }
     let mut residuals = vec![0.0; rows];
@@ -275,14 +272,14 @@ fn close(
 /// that bodies which a cut joint keeps from turning against each other differ by no whole turn either.
 fn unwind(
     tree: &Tree,
-    geometry: &Geometry<f64>,
+    geometry: &TreeNumbers<f64>,
     kinematics: &mut Kinematics<f64>,
     hint_of_slot: &[Option<f64>],
     z: &mut [f64],
 ) {
     let turns = |angle: f64| (angle / std::f64::consts::TAU).round() * std::f64::consts::TAU;
     for (index, link) in tree.links.iter().enumerate() {
-        if let Attachment::Revolute { coordinate, .. } = link.attachment {
+        if let Some(coordinate) = link.joint_angle() {
             z[coordinate] -= turns(z[coordinate] - hint_of_slot[index + 1].unwrap_or(0.0));
         }
     }
@@ -291,11 +288,11 @@ fn unwind(
         if slot == 0 {
             return None;
         }
-        match tree.links[slot - 1].attachment {
-            Attachment::Revolute { coordinate, .. } => return Some(coordinate),
-            Attachment::Free { first } => return Some(first + 2),
-            _ => slot = tree.links[slot - 1].parent_slot,
+        let link = &tree.links[slot - 1];
+        if let Some(coordinate) = link.angle() {
+            return Some(coordinate);
         }
+        slot = link.parent_slot;
     };
     // Each pass settles at least one more cut joint of a chain.
     kinematics.set_positions(tree, geometry, z);
@@ -316,8 +313,8 @@ fn unwind(
 
 /// Angle by which a cut joint's second body is turned against its first, rad: zero where the joint is closed.
 fn cut_turn_rad(cut: &Cut, numbers: &CutGeometry<f64>, kinematics: &Kinematics<f64>) -> f64 {
-    kinematics.poses[cut.slots[1]].angle_rad + numbers.angles_rad[1]
-        - kinematics.poses[cut.slots[0]].angle_rad
+    kinematics.poses[cut.slots[1]].angle_rad() + numbers.angles_rad[1]
+        - kinematics.poses[cut.slots[0]].angle_rad()
         - numbers.angles_rad[0]
 }
 
@@ -328,16 +325,16 @@ fn is_turns_on(model: &Model, tree: &Tree, z: &[f64]) -> bool {
     let wheels = model.couplings.iter().flat_map(|coupling| [coupling.first, coupling.second]);
     let wheels: Vec<_> = wheels.flat_map(|joint| model.joints[joint.0].kind.bodies()).collect();
     let mut turning = tree.links.iter().filter(|link| wheels.contains(&link.body));
-    turning.any(|link| matches!(link.attachment, Attachment::Revolute { coordinate, .. } if is_far(z[coordinate])))
+    turning.any(|link| link.joint_angle().is_some_and(|coordinate| is_far(z[coordinate])))
 }
 
 /// The sine of an angle that should be zero is zero at a half turn as well: that is no assembly.
-fn all_face_the_right_way(tree: &Tree, geometry: &Geometry<f64>, kinematics: &Kinematics<f64>) -> bool {
+fn all_face_the_right_way(tree: &Tree, geometry: &TreeNumbers<f64>, kinematics: &Kinematics<f64>) -> bool {
     turned_cut(tree, geometry, kinematics).is_none()
 }
 
 /// The first cut whose bodies are turned by a half turn against each other.
-fn turned_cut<'t>(tree: &'t Tree, geometry: &Geometry<f64>, kinematics: &Kinematics<f64>) -> Option<&'t Cut> {
+fn turned_cut<'t>(tree: &'t Tree, geometry: &TreeNumbers<f64>, kinematics: &Kinematics<f64>) -> Option<&'t Cut> {
     let is_turned = |(cut, numbers): &(&Cut, &CutGeometry<f64>)| {
         cut.rows.holds_angle && !(cut_turn_rad(cut, numbers, kinematics).cos() > 0.0)
     };

@@ -5,10 +5,10 @@
 //! holds two drives, these move one freedom; where it holds none, the joints of its loops contradict one another.
 
 use crate::mechanism::loops::constraints::{self, RowOwner};
-use crate::mechanism::tree::geometry::Geometry;
 use crate::mechanism::tree::kinematics::Kinematics;
 use crate::mechanism::tree::mobility::{RANK_TOLERANCE, Scale};
-use crate::mechanism::tree::spanning_tree::{Attachment, Tree};
+use crate::mechanism::tree::numbers::TreeNumbers;
+use crate::mechanism::tree::spanning_tree::Tree;
 use crate::model::{DriveId, JointId, Model};
 use loosepin_math::Elimination;
 use loosepin_text::diagnostics::{Code, problems};
@@ -45,7 +45,7 @@ pub(in crate::mechanism) fn blocking(model: &Model) -> Option<Blocking> {
     if rows == 0 || columns > MAX_COORDINATES {
         return None;
     }
-    let geometry = Geometry::new(model, &tree, &values);
+    let geometry = TreeNumbers::new(model, &tree, &values);
     let size_m = model.largest_extent_m(&values);
     let scale = Scale::new(&tree, size_m);
     let looks = (1..=POSITIONS).map(|position| {
@@ -96,12 +96,7 @@ fn general_position(tree: &Tree, size_m: f64, position: usize) -> Vec<f64> {
     let mut z: Vec<f64> =
         (0..tree.coordinates()).map(|coordinate| std::f64::consts::TAU * spread(coordinate)).collect();
     for link in &tree.links {
-        let lengths = match link.attachment {
-            Attachment::Prismatic { coordinate, .. } => coordinate..coordinate + 1,
-            Attachment::Free { first } => first..first + 2,
-            _ => continue,
-        };
-        lengths.for_each(|coordinate| z[coordinate] = size_m * (2.0 * spread(coordinate) - 1.0));
+        link.lengths().for_each(|coordinate| z[coordinate] = size_m * (2.0 * spread(coordinate) - 1.0));
     }
     z
 }
@@ -144,5 +139,5 @@ fn on_the_way(model: &Model, tree: &Tree, joint: JointId) -> Vec<JointId> {
     let [first, second] = model.joints[joint.0].kind.bodies().map(|body| to_ground(tree.slot_of_body[body.0]));
     let own =
         first.iter().filter(|slot| !second.contains(slot)).chain(second.iter().filter(|slot| !first.contains(slot)));
-    own.filter_map(|slot| tree.links[slot - 1].attachment.joint()).map(|(joint, _)| joint).collect()
+    own.filter_map(|slot| tree.links[slot - 1].joint()).map(|(joint, _)| joint).collect()
 }

@@ -3,9 +3,9 @@
 use crate::mechanism::beginning::initial::{StartEquations, conditions};
 use crate::mechanism::error::MechanismError;
 use crate::mechanism::loops::constraints::{self, RowOwner};
-use crate::mechanism::tree::geometry::Geometry;
 use crate::mechanism::tree::kinematics::Kinematics;
-use crate::mechanism::tree::spanning_tree::{Attachment, Cut, Tree};
+use crate::mechanism::tree::numbers::TreeNumbers;
+use crate::mechanism::tree::spanning_tree::{Cut, Tree};
 use crate::model::{BodyId, Model};
 use loosepin_math::Elimination;
 
@@ -31,7 +31,7 @@ pub struct Mobility {
 pub fn count(
     model: &Model,
     tree: &Tree,
-    geometry: &Geometry<f64>,
+    geometry: &TreeNumbers<f64>,
     coordinates: &[f64],
     size_m: f64,
 ) -> Result<Mobility, MechanismError> {
@@ -92,7 +92,7 @@ pub fn count(
 }
 
 /// Free coordinates that the loops of ideal joints leave open in the configuration `coordinates`.
-pub fn open_freedoms(tree: &Tree, geometry: &Geometry<f64>, coordinates: &[f64], size_m: f64) -> usize {
+pub fn open_freedoms(tree: &Tree, geometry: &TreeNumbers<f64>, coordinates: &[f64], size_m: f64) -> usize {
     tree.free - eliminate_free(tree, &jacobian_at(tree, geometry, coordinates), size_m).rank()
 }
 
@@ -111,7 +111,7 @@ fn eliminate(tree: &Tree, jacobian: &[f64]) -> Elimination {
     Elimination::new(&free, rows, tree.free, RANK_TOLERANCE)
 }
 
-fn jacobian_at(tree: &Tree, geometry: &Geometry<f64>, coordinates: &[f64]) -> Vec<f64> {
+fn jacobian_at(tree: &Tree, geometry: &TreeNumbers<f64>, coordinates: &[f64]) -> Vec<f64> {
     let mut kinematics = Kinematics::new(tree);
     kinematics.set_positions(tree, geometry, coordinates);
     let mut jacobian = vec![0.0; tree.constraint_rows() * tree.coordinates()];
@@ -137,11 +137,7 @@ impl Scale {
         let of_couplings = tree.couplings.iter().map(|places| places[1].is_prismatic);
         let mut columns_are_lengths = vec![false; tree.coordinates()];
         for link in &tree.links {
-            match link.attachment {
-                Attachment::Prismatic { coordinate, .. } => columns_are_lengths[coordinate] = true,
-                Attachment::Free { first } => columns_are_lengths[first..first + 2].fill(true),
-                _ => {}
-            }
+            columns_are_lengths[link.lengths()].fill(true);
         }
         for lengths in tree.nodal_beams.iter().flat_map(|beam| beam.lengths()) {
             columns_are_lengths[lengths].fill(true);
@@ -181,7 +177,7 @@ impl Scale {
 
 /// Names of the bodies that move along the first direction that the constraints leave free.
 fn moving_bodies(
-    (model, tree, geometry): (&Model, &Tree, &Geometry<f64>),
+    (model, tree, geometry): (&Model, &Tree, &TreeNumbers<f64>),
     coordinates: &[f64],
     free: &Elimination,
     scale: &Scale,

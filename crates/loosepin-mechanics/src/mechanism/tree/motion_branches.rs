@@ -1,8 +1,8 @@
 //! The two ways on from a change point: a position where branches of the ideal motion cross.
 
 use crate::mechanism::loops::constraints;
-use crate::mechanism::tree::geometry::Geometry;
 use crate::mechanism::tree::kinematics::Kinematics;
+use crate::mechanism::tree::numbers::TreeNumbers;
 use crate::mechanism::tree::spanning_tree::Tree;
 use loosepin_math::Elimination;
 
@@ -30,7 +30,7 @@ pub struct MotionBranches {
 /// `None` if the position is not singular, where the drives cannot go on (a dead point), or where no two ways exist.
 pub fn motion_branches(
     tree: &Tree,
-    geometry: &Geometry<f64>,
+    geometry: &TreeNumbers<f64>,
     coordinates: &[f64],
     rates: &[f64],
     driven_accelerations: &[f64],

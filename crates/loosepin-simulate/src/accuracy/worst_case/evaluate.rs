@@ -1,16 +1,16 @@
 //! The loop equations and outputs of the ideal mechanism with displaced joints, over any number.
 
 use loosepin_math::{Real, Vec2};
-use loosepin_mechanics::mechanism::{Geometry, Kinematics, Mechanism, constraints, numbered_point_m};
+use loosepin_mechanics::mechanism::{Kinematics, Mechanism, TreeNumbers, constraints, numbered_point_m};
 use loosepin_mechanics::model::{Position, QuantityId};
 
 /// A mechanism of which positions are computed on numbers of one kind.
-pub(super) struct Evaluator<'a, T> {
+pub(super) struct Evaluator<'a, T: Real> {
     mechanism: &'a Mechanism,
     /// The numbers of the model, by quantity.
     numbers: Vec<T>,
-    geometry: Geometry<T>,
-    centred: Geometry<T>,
+    geometry: TreeNumbers<T>,
+    centred: TreeNumbers<T>,
     kinematics: Kinematics<T>,
     residuals: Vec<T>,
 }
@@ -19,7 +19,7 @@ impl<'a, T: Real> Evaluator<'a, T> {
     /// Evaluation of a mechanism with these numbers.
     pub fn new(mechanism: &'a Mechanism, numbers: Vec<T>) -> Self {
         let tree = &mechanism.ideal;
-        let geometry = Geometry::from_numbers(&mechanism.model, tree, &|id: QuantityId| numbers[id.0]);
+        let geometry = TreeNumbers::from_numbers(&mechanism.model, tree, &|id: QuantityId| numbers[id.0]);
         Self {
             mechanism,
             centred: geometry.clone(),
@@ -35,7 +35,7 @@ impl<'a, T: Real> Evaluator<'a, T> {
         self.numbers.clear();
         self.numbers.extend(numbers);
         let (model, numbers) = (&self.mechanism.model, &self.numbers);
-        self.centred = Geometry::from_numbers(model, &self.mechanism.ideal, &|id: QuantityId| numbers[id.0]);
+        self.centred = TreeNumbers::from_numbers(model, &self.mechanism.ideal, &|id: QuantityId| numbers[id.0]);
         self.geometry = self.centred.clone();
     }
 

@@ -18,7 +18,7 @@
 
 use crate::stepping::motion::Motion;
 use loosepin_math::{Vec2, arctangent};
-use loosepin_mechanics::mechanism::{Attachment, Mechanism, Sample, Tree, TreeNodalBeam, acceleration_at};
+use loosepin_mechanics::mechanism::{Mechanism, Sample, Tree, TreeNodalBeam, acceleration_at};
 
 /// Coordinates of a mechanism in which beams in absolute nodal coordinates are seen from their frames. As many as those of the tree, each in
 /// the place of one of these.
@@ -60,12 +60,9 @@ impl Coordinates {
         let tree = &mechanism.real;
         let settles = |body: usize| mechanism.model.bodies[body].beam.as_ref().is_some_and(|beam| beam.starts_settled);
         let carried = |beam: &TreeNodalBeam| {
-            let (angle, origin) = match tree.links[beam.slot - 1].attachment {
-                Attachment::Revolute { coordinate, .. } => (Some(coordinate), None),
-                Attachment::Free { first } => (Some(first + 2), Some(first)),
-                _ => (None, None),
-            };
-            Carried { angle, origin, settles: settles(beam.body.0) }
+            let link = &tree.links[beam.slot - 1];
+            let origin = link.joint().is_none().then_some(link.coordinates.start);
+            Carried { angle: link.angle(), origin, settles: settles(beam.body.0) }
         };
         let beams: Vec<Carried> = tree.nodal_beams.iter().map(carried).collect();
         let (mut shapes, mut are_lengths) = (Vec::new(), Vec::new());
@@ -187,7 +184,7 @@ impl Coordinates {
                 let (direction, turning) = (axis.rotated(sine, cosine), spin + node.spin);
                 let slope_rate = (direction * node.growth_1_s).plus(direction.turned(), node.s * turning);
                 let [slope, slope_rate] = match k == last {
-                    true => [[pose.angle_rad + node.turn, node.s], [turning, node.growth_1_s]],
+                    true => [[pose.angle_rad() + node.turn, node.s], [turning, node.growth_1_s]],
                     false => [[direction.x * node.s, direction.y * node.s], [slope_rate.x, slope_rate.y]],
                 };
                 let first = beam.node(k);

@@ -2,7 +2,7 @@
 
 use super::{Built, build_case, case_names, ideal_at, spread};
 use loosepin_math::{Dual, Real};
-use loosepin_mechanics::mechanism::{Geometry, Kinematics, Tree, constraints};
+use loosepin_mechanics::mechanism::{Kinematics, Tree, TreeNumbers, constraints};
 
 type Nested = Dual<Dual<f64>>;
 
@@ -22,8 +22,8 @@ fn trees(built: &Built) -> [&Tree; 2] {
     [&built.mechanism.ideal, &built.mechanism.real]
 }
 
-fn geometry<T: Real>(built: &Built, tree: &Tree) -> Geometry<T> {
-    Geometry::new(&built.mechanism.model, tree, &built.values)
+fn geometry<T: Real>(built: &Built, tree: &Tree) -> TreeNumbers<T> {
+    TreeNumbers::new(&built.mechanism.model, tree, &built.values)
 }
 
 #[test]
@@ -39,16 +39,14 @@ fn identity_partial_velocities_are_derivatives_of_positions() {
                     (0..z.len()).map(|k| Dual { value: z[k], derivative: f64::from(k == moved) }).collect();
                 let mut kinematics = Kinematics::new(tree);
                 kinematics.set_positions(tree, &geometry(&built, tree), &coordinates);
-                for (index, link) in tree.links.iter().enumerate() {
+                for index in 0..tree.links.len() {
                     let pose = &kinematics.poses[index + 1];
-                    let at = link.dependences.iter().position(|d| d.coordinate == moved);
-                    let (x, y, turning) = at.map_or((0.0, 0.0, 0.0), |at| {
-                        let partial = plain.partials(index + 1)[at];
-                        (partial.x, partial.y, link.dependences[at].turning)
-                    });
+                    let column = plain.columns(tree, index + 1).find(|column| column.coordinate == moved);
+                    let (x, y, turning) =
+                        column.map_or((0.0, 0.0, 0.0), |column| (column.linear.x, column.linear.y, column.turning));
                     assert!(close(pose.position_m.x.derivative, x), "{case} x of link {index} by {moved}");
                     assert!(close(pose.position_m.y.derivative, y), "{case} y of link {index} by {moved}");
-                    assert_eq!(pose.angle_rad.derivative, turning, "{case} angle of link {index} by {moved}");
+                    assert_eq!(pose.angle_rad().derivative, turning, "{case} angle of link {index} by {moved}");
                 }
             }
         }
@@ -79,7 +77,7 @@ fn identity_acceleration_biases_are_second_derivatives() {
                 let entries = [
                     (pose.position_m.x, twist.linear.x, bias.linear.x),
                     (pose.position_m.y, twist.linear.y, bias.linear.y),
-                    (pose.angle_rad, twist.angular, bias.angular),
+                    (pose.angle_rad(), twist.angular, bias.angular),
                 ];
                 for (entry, velocity, acceleration) in entries {
                     assert!(close(entry.value.derivative, velocity), "{case} velocity of slot {slot}");
@@ -152,7 +150,7 @@ fn identity_ideal_accelerations_close_the_loops_to_second_order() {
             let scale = ROUND_OFF * speed * speed;
             assert!((pose.position_m.x.derivative.derivative - acceleration.linear.x).abs() < scale, "{case} {slot}");
             assert!((pose.position_m.y.derivative.derivative - acceleration.linear.y).abs() < scale, "{case} {slot}");
-            assert!((pose.angle_rad.derivative.derivative - acceleration.angular).abs() < scale, "{case} {slot}");
+            assert!((pose.angle_rad().derivative.derivative - acceleration.angular).abs() < scale, "{case} {slot}");
         }
     }
 }

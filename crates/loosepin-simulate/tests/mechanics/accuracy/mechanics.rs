@@ -4,7 +4,7 @@ use super::{build_case, build_text, case_names, ideal_at, spread};
 use crate::power_balance::{assert_powers_balance, with_rates};
 use loosepin_math::{Dual, Vec2};
 use loosepin_mechanics::dynamics::{Dynamics, PlayState};
-use loosepin_mechanics::mechanism::{Attachment, ContactPlace, Sample, acceleration_at};
+use loosepin_mechanics::mechanism::{ContactPlace, Sample, acceleration_at};
 
 /// Round-off relative to the largest power, force or moment at work.
 const ROUND_OFF: f64 = 1e-10;
@@ -148,10 +148,7 @@ fn identity_a_floating_pair_in_contact_keeps_its_momenta() {
             .links
             .iter()
             .enumerate()
-            .filter_map(|(index, link)| match link.attachment {
-                Attachment::Free { first } => Some((index, first)),
-                _ => None,
-            })
+            .filter_map(|(index, link)| link.joint().is_none().then_some((index, link.coordinates.start)))
             .collect();
         assert_eq!((floating.len(), tree.free), (2, 6), "two bodies float");
         let ideal = ideal_at(&built, &sample, 0.0137);

@@ -68,7 +68,7 @@ impl Observer for Ends {
         let dynamics = step.end();
         let slots = &dynamics.mechanism().real.slot_of_body;
         let poses = &dynamics.kinematics.poses;
-        self.0.push([poses[slots[1]].angle_rad, poses[slots[2]].position_m.y - 0.05]);
+        self.0.push([poses[slots[1]].angle_rad(), poses[slots[2]].position_m.y - 0.05]);
     }
 }
 

@@ -81,7 +81,7 @@ fn gains() -> String {
 }
 
 fn angle_rad(dynamics: &Dynamics<'_, f64>) -> f64 {
-    dynamics.kinematics.poses[1].angle_rad
+    dynamics.kinematics.poses[1].angle_rad()
 }
 
 /// With z = ∫ e dt the closed loop is I z''' + k_d z'' + k_p z' + k_i z = 0: z = A exp(-a t) + exp(-b t) (B cos wt + C sin wt).

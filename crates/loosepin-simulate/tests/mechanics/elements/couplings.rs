@@ -89,7 +89,7 @@ fn analytic_driven_wheels_keep_their_ratio_in_position_velocity_and_acceleration
             let first = [100_f64.to_radians() + 30.0 * time_s + 40.0 * time_s * time_s, 30.0 + 80.0 * time_s, 80.0];
             let second = [ratio * first[0] + 25_f64.to_radians(), ratio * first[1], ratio * first[2]];
             let (pose, twist) = (&ideal.kinematics().poses[slot(2)], &ideal.kinematics().twists[slot(2)]);
-            let found = [pose.angle_rad, twist.angular, ideal.acceleration(slot(2)).angular];
+            let found = [pose.angle_rad(), twist.angular, ideal.acceleration(slot(2)).angular];
             let (pose, twist) = (&ideal.kinematics().poses[slot(3)], &ideal.kinematics().twists[slot(3)]);
             let slid = [pose.position_m.x, twist.linear.x, ideal.acceleration(slot(3)).linear.x];
             for k in 0..3 {
@@ -116,7 +116,7 @@ impl Observer for Ends {
         let time_s = step.end_s;
         let dynamics = step.evaluate(time_s);
         let slots = &dynamics.mechanism().real.slot_of_body;
-        let angles = [1, 2].map(|body| dynamics.kinematics.poses[slots[body]].angle_rad);
+        let angles = [1, 2].map(|body| dynamics.kinematics.poses[slots[body]].angle_rad());
         self.0.push((time_s, angles));
     }
 }

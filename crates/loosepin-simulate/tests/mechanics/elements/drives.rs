@@ -65,14 +65,14 @@ fn analytic_motions_of_a_crank_at_all_three_levels() {
             let [angle_rad, rate, acceleration] = closed(time_s);
             dynamics.evaluate(time_s, &[], &[], &[]);
             let found = [
-                dynamics.kinematics.poses[1].angle_rad,
+                dynamics.kinematics.poses[1].angle_rad(),
                 dynamics.kinematics.twists[1].angular,
                 dynamics.acceleration(1).angular,
                 dynamics.drive_force(0) / inertia_kg_m2,
             ];
             ideal.move_to(time_s).expect("it moves");
             let solved = [
-                ideal.kinematics().poses[1].angle_rad,
+                ideal.kinematics().poses[1].angle_rad(),
                 ideal.kinematics().twists[1].angular,
                 ideal.acceleration(1).angular,
                 ideal.acceleration(1).angular,
@@ -229,14 +229,14 @@ fn identity_a_drive_that_turns_back_at_once_goes_back_the_way_it_came() {
         let built = build(&driven.replace("drive = \"crank\"", "duration = \"0.2 s\""));
         let sample = built.sample();
         let mut ideal = IdealMotion::new(&built.mechanism, &sample.ideal, &sample.drives).expect("it starts");
-        let start: Vec<f64> = ideal.kinematics().poses.iter().map(|pose| pose.angle_rad).collect();
+        let start: Vec<f64> = ideal.kinematics().poses.iter().map(|pose| pose.angle_rad()).collect();
         // One step, then two at once, and so on: a guess from the last step reaches furthest over one that is twice as long.
         for step in (1..=2 * steps + 4).filter(|step| step % 3 != 2) {
             let time_ms = (turn_ms * f64::from(step) / f64::from(STEPS)).min(2.0 * back_ms);
             ideal.move_to(1e-3 * time_ms).expect("it moves");
         }
         for (body, (pose, start)) in ideal.kinematics().poses.iter().zip(&start).enumerate() {
-            let angle_rad = pose.angle_rad;
+            let angle_rad = pose.angle_rad();
             assert!(
                 (angle_rad - start).abs() < 1e-9,
                 "{sign} back after {steps} steps and {beyond}, body {body}: {angle_rad} {start}"

@@ -180,7 +180,7 @@ fn identity_a_double_four_bar_starts_as_given_and_keeps_its_energy() {
                             dynamics.kinematics.poses[tree.slot_of_body[body]],
                             dynamics.kinematics.twists[tree.slot_of_body[body]],
                         );
-                        [pose.angle_rad, twist.angular, twist.linear.x]
+                        [pose.angle_rad(), twist.angular, twist.linear.x]
                     })
                     .collect();
             }
@@ -214,7 +214,7 @@ fn published_a_double_four_bar_passes_its_change_points() {
         fn step(&mut self, step: &mut Step<'_, '_>) {
             let dynamics = step.end();
             let tree = &dynamics.mechanism().real;
-            let angle_rad = dynamics.kinematics.poses[tree.slot_of_body[1]].angle_rad;
+            let angle_rad = dynamics.kinematics.poses[tree.slot_of_body[1]].angle_rad();
             self.0 = [angle_rad.cos(), angle_rad.sin()];
         }
     }

@@ -2,10 +2,10 @@
 
 use super::{Carrier, JointFrictions, PARTS};
 use crate::dynamics::equations::Dynamics;
+use crate::mechanism::acceleration_at;
 use crate::mechanism::constraints;
-use crate::mechanism::{acceleration_at, moved, turned_by};
 use crate::model::JointId;
-use loosepin_math::{Real, Vec2, solve_ldl};
+use loosepin_math::{Geometry, Plane, Real, Vec2, solve_ldl};
 
 impl<T: Real> Dynamics<'_, T> {
     /// Adds the friction of ideal joints to the motion that was solved without it.
@@ -18,7 +18,7 @@ impl<T: Real> Dynamics<'_, T> {
         }
         frictions.solve();
         let (n, columns) = (self.mechanism.real.free, self.mechanism.real.coordinates());
-        let rows = self.multipliers.len();
+        let rows = self.equations.multipliers.len();
         for (index, entry) in frictions.entries.iter().enumerate() {
             let force = entry.coefficient * entry.normal_n;
             let add = |to: &mut [T], from: &[T]| {
@@ -26,9 +26,9 @@ impl<T: Real> Dynamics<'_, T> {
                     *to = from.mul_add(force, *to);
                 }
             };
-            add(&mut self.accelerations, &frictions.answers[index * n..(index + 1) * n]);
-            add(&mut self.multipliers, &frictions.multipliers[index * rows..(index + 1) * rows]);
-            add(&mut self.forces, &frictions.pushes[index * columns..(index + 1) * columns]);
+            add(&mut self.equations.accelerations, &frictions.answers[index * n..(index + 1) * n]);
+            add(&mut self.equations.multipliers, &frictions.multipliers[index * rows..(index + 1) * rows]);
+            add(&mut self.equations.forces, &frictions.pushes[index * columns..(index + 1) * columns]);
         }
         self.joint_frictions = Some(frictions);
     }
@@ -53,25 +53,25 @@ impl<T: Real> Dynamics<'_, T> {
             }
             let answer = &mut answers[index * n..(index + 1) * n];
             answer.copy_from_slice(&push[..n]);
-            solve_ldl(&self.mass, n, answer);
+            solve_ldl(&self.equations.mass, n, answer);
             if rows == 0 {
                 continue;
             }
             let multipliers = &mut multipliers[index * rows..(index + 1) * rows];
             for (row, multiplier) in multipliers.iter_mut().enumerate() {
-                let mobility = &self.gram.mobilities()[row * n..(row + 1) * n];
+                let mobility = &self.equations.gram.mobilities()[row * n..(row + 1) * n];
                 let along = mobility.iter().zip(&push[..n]).fold(T::zero(), |sum, (a, b)| a.mul_add(*b, sum));
                 *multiplier = -along;
             }
-            self.gram.solve(multipliers);
-            self.gram.add_correction(multipliers, answer);
+            self.equations.gram.solve(multipliers);
+            self.equations.gram.add_correction(multipliers, answer);
         }
     }
 
     /// ρ0 of the joint `index`, and what each unit wrench adds to it.
     #[inline(never)]
     fn find_carried(&mut self, frictions: &mut JointFrictions<T>, index: usize) {
-        let rows = self.multipliers.len();
+        let rows = self.equations.multipliers.len();
         let count = frictions.entries.len();
         if let Carrier::Cut { row } = frictions.entries[index].carrier {
             let entry = &frictions.entries[index];
@@ -90,7 +90,7 @@ impl<T: Real> Dynamics<'_, T> {
                 let (half, couple) = (first * T::from_f64(0.5), second * turn_cosine / size_m);
                 [half - couple, half + couple]
             };
-            let free = parts(&self.multipliers);
+            let free = parts(&self.equations.multipliers);
             for other in 0..count {
                 let added = parts(&frictions.multipliers[other * rows..(other + 1) * rows]);
                 frictions.influence[index * count + other] = added;
@@ -109,7 +109,7 @@ impl<T: Real> Dynamics<'_, T> {
     #[inline(always)]
     fn balance(&mut self, frictions: &mut JointFrictions<T>, index: usize, part: usize) -> T {
         let tree = &self.mechanism.real;
-        let (n, rows) = (tree.free, self.multipliers.len());
+        let (n, rows) = (tree.free, self.equations.multipliers.len());
         let JointFrictions { entries, answers, multipliers, influence, gradient, .. } = frictions;
         let (entry, count) = (&entries[index], entries.len());
         let influence = &mut influence[index * count..(index + 1) * count];
@@ -118,7 +118,7 @@ impl<T: Real> Dynamics<'_, T> {
             other[part] = T::zero();
         }
         let spin = entry.forbidden[part].angular;
-        for (link_index, (link, numbers)) in tree.links.iter().zip(&self.sample.real.links).enumerate() {
+        for (link_index, numbers) in self.sample.real.links.iter().enumerate() {
             let slot = link_index + 1;
             if !entry.moves(slot) {
                 continue;
@@ -130,16 +130,14 @@ impl<T: Real> Dynamics<'_, T> {
             let acceleration =
                 acceleration_at(&bias, &self.kinematics.twists[slot], arm) - self.sample.real.gravity_m_s2;
             sum += numbers.mass_kg * acceleration.dot(velocity) + numbers.inertia_kg_m2 * bias.angular * spin;
-            let partials = self.kinematics.partials(slot);
-            for (dependence, partial) in link.dependences.iter().zip(partials) {
-                let coordinate = dependence.coordinate;
+            for column in self.kinematics.columns(tree, slot) {
+                let coordinate = column.coordinate;
                 if coordinate >= n {
                     continue;
                 }
-                let centre = moved(*partial, arm.turned(), dependence.turning);
-                let coupling =
-                    turned_by(numbers.mass_kg * centre.dot(velocity), numbers.inertia_kg_m2 * spin, dependence.turning);
-                sum = coupling.mul_add(self.accelerations[coordinate], sum);
+                let linear = numbers.mass_kg * column.at(arm).dot(velocity);
+                let coupling = Plane::push(numbers.inertia_kg_m2 * spin, column.turning, linear);
+                sum = coupling.mul_add(self.equations.accelerations[coordinate], sum);
                 for (other, answer) in influence.iter_mut().zip(answers.chunks_exact(n)) {
                     other[part] = coupling.mul_add(answer[coordinate], other[part]);
                 }
@@ -155,7 +153,7 @@ impl<T: Real> Dynamics<'_, T> {
                 gradient,
             );
             for (row, slope) in gradient.iter().enumerate() {
-                sum -= *slope * self.multipliers[row];
+                sum -= *slope * self.equations.multipliers[row];
                 for (other, added) in influence.iter_mut().zip(multipliers.chunks_exact(rows)) {
                     other[part] -= *slope * added[row];
                 }

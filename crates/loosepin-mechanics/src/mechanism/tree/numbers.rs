@@ -5,45 +5,35 @@ use crate::mechanism::parts::nodal_geometry::NodalGeometry;
 use crate::mechanism::point_rows::displace;
 use crate::mechanism::tree::beam::{BeamPlace, TreeBeam};
 use crate::mechanism::tree::cut_geometry::{CutGeometry, line_angles_rad};
-use crate::mechanism::tree::points::{direction, numbered_point_m};
-use crate::mechanism::tree::spanning_tree::{Attachment, Tree};
+use crate::mechanism::tree::points::numbered_point_m;
+use crate::mechanism::tree::spanning_tree::Tree;
 use crate::model::{BodyId, JointId, LumpedMass as BeamLump, Model, PlayId, PointId, QuantityId, Values};
 use loosepin_flexible::{Beam, HeldBeam, LumpedMass};
-use loosepin_math::{Real, Vec2, numbers};
+use loosepin_math::{Geometry, Plane, PlaneMount, Real, Vec2, numbers};
 
 /// Numbers of a link of the tree.
 #[derive(Debug, Clone, Copy)]
-pub struct LinkGeometry<T> {
+pub struct LinkNumbers<T: Real, G: Geometry = Plane> {
     /// Joint point in the parent's frame, m.
-    pub parent_arm_m: Vec2<T>,
+    pub parent_arm_m: G::Vector<T>,
     /// Joint point in the link's own frame, m.
-    pub own_arm_m: Vec2<T>,
-    /// Angle in the parent's frame of the direction that both bodies share (the line of a prismatic joint, the x axis of
-    /// the second body of a rigid one), rad.
-    pub parent_angle_rad: T,
-    /// Angle of the same direction in the link's frame, rad.
-    pub own_angle_rad: T,
-    /// Cosine and sine of `parent_angle_rad`: the shared direction in the parent's frame.
-    pub parent_direction: Vec2<T>,
-    /// Cosine and sine of the constant angle of a link that does not turn against its parent.
-    pub turn_from_parent: Vec2<T>,
+    pub own_arm_m: G::Vector<T>,
+    /// How the axes of the joint lie in the frames of parent and link.
+    pub mount: G::Mount<T>,
     /// Revolute: the link's point minus the parent's point, in the ground's frame, m. Zero unless a clearance joint is
     /// treated as ideal with a displaced journal.
-    pub eccentricity_m: Vec2<T>,
+    pub eccentricity_m: G::Vector<T>,
     /// Centre of mass in the link's frame, m.
-    pub centre_of_mass_m: Vec2<T>,
+    pub centre_of_mass_m: G::Vector<T>,
     /// Mass, kg.
     pub mass_kg: T,
-    /// Moment of inertia about the centre of mass, kg m².
-    pub inertia_kg_m2: T,
+    /// Moments of inertia about the centre of mass, kg m².
+    pub inertia_kg_m2: G::Inertia<T>,
 }
 
-numbers!(struct LinkGeometry {
-    parent_arm_m, own_arm_m, parent_direction, turn_from_parent, eccentricity_m, centre_of_mass_m, parent_angle_rad, own_angle_rad,
-    mass_kg, inertia_kg_m2
-});
+numbers!(struct LinkNumbers { parent_arm_m, own_arm_m, mount, eccentricity_m, centre_of_mass_m, mass_kg, inertia_kg_m2 });
 
-impl<T: Real> LinkGeometry<T> {
+impl<T: Real> LinkNumbers<T> {
     /// Gives the link mass, inertia and centre of mass of lumps of a body that it carries.
     fn set_lumps(&mut self, model: &Model, body: BodyId, lumps: &[&BeamLump], number: &dyn Fn(QuantityId) -> T) {
         let at = |lump: &BeamLump| numbered_point_m(model, number, PointId { body, point: lump.point });
@@ -68,9 +58,9 @@ impl<T: Real> LinkGeometry<T> {
 
 /// The numbers of one sample for one tree.
 #[derive(Debug, Clone)]
-pub struct Geometry<T> {
+pub struct TreeNumbers<T: Real, G: Geometry = Plane> {
     /// One for each link.
-    pub links: Vec<LinkGeometry<T>>,
+    pub links: Vec<LinkNumbers<T, G>>,
     /// One for each cut joint.
     pub cuts: Vec<CutGeometry<T>>,
     /// One for each ideal coupling.
@@ -80,10 +70,10 @@ pub struct Geometry<T> {
     /// One for each flexible body in absolute nodal coordinates.
     pub nodal_beams: Vec<NodalGeometry<T>>,
     /// Acceleration of gravity, m/s².
-    pub gravity_m_s2: Vec2<T>,
+    pub gravity_m_s2: G::Vector<T>,
 }
 
-numbers!(struct Geometry { gravity_m_s2, links, cuts, couplings, beams, nodal_beams });
+numbers!(struct TreeNumbers { gravity_m_s2, links, cuts, couplings, beams, nodal_beams });
 
 /// Numbers of a flexible body.
 #[derive(Debug, Clone)]
@@ -153,7 +143,7 @@ impl<T: Real> BeamGeometry<T> {
     }
 }
 
-impl<T: Real> Geometry<T> {
+impl<T: Real> TreeNumbers<T> {
     /// Lays out `values` for `tree`, all eccentricities zero.
     pub fn new(model: &Model, tree: &Tree, values: &Values) -> Self {
         Self::from_numbers(model, tree, &|id| T::from_f64(values[id]))
@@ -167,13 +157,10 @@ impl<T: Real> Geometry<T> {
             .iter()
             .map(|link| {
                 let body = &model.bodies[link.body.0];
-                let mut geometry = LinkGeometry {
+                let mut geometry = LinkNumbers {
                     parent_arm_m: Vec2::zero(),
                     own_arm_m: Vec2::zero(),
-                    parent_angle_rad: T::zero(),
-                    own_angle_rad: T::zero(),
-                    parent_direction: direction(T::zero()),
-                    turn_from_parent: direction(T::zero()),
+                    mount: PlaneMount::new(T::zero(), T::zero()),
                     eccentricity_m: Vec2::zero(),
                     centre_of_mass_m: body
                         .centre_of_mass_m
@@ -181,30 +168,25 @@ impl<T: Real> Geometry<T> {
                     mass_kg: body.mass_kg.map_or(T::zero(), number),
                     inertia_kg_m2: body.inertia_kg_m2.map_or(T::zero(), number),
                 };
-                if let Attachment::Section { .. } | Attachment::Node { .. } = link.attachment {
+                if link.attachment.is_section() {
                     // All of the mass but that of lumps belongs to the frame.
                     (geometry.mass_kg, geometry.inertia_kg_m2) = (T::zero(), T::zero());
                 }
-                if let Attachment::Section { beam, place } = link.attachment
-                    && link.has_own_mass
-                {
-                    let held = tree.beams[beam].lumps_at(model, place);
+                if let Some(section) = link.attachment.section().filter(|_| link.has_own_mass) {
+                    let held = tree.beams[section.beam].lumps_at(model, section.place);
                     geometry.set_lumps(model, link.body, &held, number);
                 }
                 if let (Some(_), Some(beam)) = (link.beam, &body.beam) {
                     geometry.mass_kg = number(beam.mass_kg);
                 }
-                if let Some((joint, forward)) = link.attachment.joint() {
+                if let Some((joint, forward)) = link.joint() {
                     let kind = &model.joints[joint.0].kind;
                     let (parent, own) = if forward { (0, 1) } else { (1, 0) };
                     let arms = kind.points().map(|point| numbered_point_m(model, number, point));
                     let angles = line_angles_rad(kind, number);
                     geometry.parent_arm_m = arms[parent];
                     geometry.own_arm_m = arms[own];
-                    geometry.parent_angle_rad = angles[parent];
-                    geometry.own_angle_rad = angles[own];
-                    geometry.parent_direction = direction(angles[parent]);
-                    geometry.turn_from_parent = direction(angles[parent] - angles[own]);
+                    geometry.mount = PlaneMount::new(angles[parent], angles[own]);
                 }
                 geometry
             })
@@ -246,10 +228,8 @@ impl<T: Real> Geometry<T> {
             .iter()
             .zip(&self.links)
             .filter_map(|(link, of_link)| {
-                let at = match link.attachment {
-                    Attachment::Section { beam, place } if beam == index && link.has_own_mass => place,
-                    _ => return None,
-                };
+                let section = link.attachment.section().filter(|section| section.beam == index && link.has_own_mass)?;
+                let at = section.place;
                 let arm = (of_link.centre_of_mass_m - numbers.axis_point_m(place, at)).rotated(-axis.y, axis.x);
                 Some(LumpedMass {
                     station: place.station(at),
@@ -264,7 +244,7 @@ impl<T: Real> Geometry<T> {
 
     /// Displaces a joint or coupling with play from where it is in `centred`, the same numbers without displacements: the second
     /// joint of a coupling by the first part of the displacement, m.
-    pub fn set_displacement(&mut self, tree: &Tree, play: PlayId, displacement: Vec2<T>, centred: &Geometry<T>) {
+    pub fn set_displacement(&mut self, tree: &Tree, play: PlayId, displacement: Vec2<T>, centred: &TreeNumbers<T>) {
         match play {
             PlayId::Joint(joint) => self.set_joint_displacement(tree, joint, displacement, centred),
             PlayId::Coupling(index) => {
@@ -278,24 +258,10 @@ impl<T: Real> Geometry<T> {
     /// Displaces the second body of `joint` from where it is in `centred`, the same numbers without displacements: by an
     /// eccentricity in the ground's frame for a revolute joint; for a prismatic one by an ordinate across the guide's line, m,
     /// and an angle, rad; for a slot by an ordinate alone, for a circular one by a length outwards. A joint that the tree treats as a force element is left alone.
-    fn set_joint_displacement(&mut self, tree: &Tree, joint: JointId, displacement: Vec2<T>, centred: &Geometry<T>) {
-        let Vec2 { x: ordinate_m, y: tilt_rad } = displacement;
-        for ((link, geometry), centred) in tree.links.iter().zip(&mut self.links).zip(&centred.links) {
-            match link.attachment {
-                Attachment::Revolute { joint: own, forward, .. } if own == joint => {
-                    geometry.eccentricity_m = if forward { displacement } else { -displacement };
-                }
-                Attachment::Prismatic { joint: own, forward, .. } if own == joint => {
-                    // A guide that hangs on its slider is displaced the other way, and turns with its line.
-                    let (parent_turn_rad, own_turn_rad, ordinate_m) =
-                        if forward { (T::zero(), -tilt_rad, ordinate_m) } else { (-tilt_rad, T::zero(), -ordinate_m) };
-                    geometry.parent_angle_rad = centred.parent_angle_rad + parent_turn_rad;
-                    geometry.own_angle_rad = centred.own_angle_rad + own_turn_rad;
-                    geometry.parent_direction = direction(geometry.parent_angle_rad);
-                    geometry.turn_from_parent = direction(geometry.parent_angle_rad - geometry.own_angle_rad);
-                    geometry.parent_arm_m = centred.parent_arm_m.plus(geometry.parent_direction.turned(), ordinate_m);
-                }
-                _ => {}
+    fn set_joint_displacement(&mut self, tree: &Tree, joint: JointId, displacement: Vec2<T>, centred: &TreeNumbers<T>) {
+        for ((link, numbers), centred) in tree.links.iter().zip(&mut self.links).zip(&centred.links) {
+            if link.joint().is_some_and(|(own, _)| own == joint) {
+                link.attachment.displace(numbers, displacement, centred);
             }
         }
         for ((cut, geometry), centred) in tree.cuts.iter().zip(&mut self.cuts).zip(&centred.cuts) {

@@ -1,0 +1,131 @@
+//! How every kind of attachment moves.
+
+use super::form::{FormOfAttachment, TreeGeometry};
+use crate::mechanism::tree::kinematics::{Kinematics, Pose, Twist};
+use crate::mechanism::tree::numbers::{LinkNumbers, TreeNumbers};
+use crate::mechanism::tree::spanning_tree::{Link, Tree};
+use loosepin_math::{Geometry, Real};
+
+/// A geometry whose attachments move.
+pub trait MovingGeometry: TreeGeometry<Attachment: KindOfAttachment<Self>> {}
+
+impl<G: TreeGeometry<Attachment: KindOfAttachment<G>>> MovingGeometry for G {}
+
+/// A body in the tree, with the numbers of a sample.
+pub struct Place<'a, T: Real, G: TreeGeometry> {
+    /// The tree.
+    pub tree: &'a Tree<G>,
+    /// The numbers.
+    pub numbers: &'a TreeNumbers<T, G>,
+    /// Slot of the body.
+    pub slot: usize,
+}
+
+impl<'a, T: Real, G: TreeGeometry> Place<'a, T, G> {
+    /// The link of the body.
+    #[inline(always)]
+    pub fn link(&self) -> &'a Link<G> {
+        &self.tree.links[self.slot - 1]
+    }
+    /// The numbers of the link.
+    #[inline(always)]
+    pub fn of_link(&self) -> &'a LinkNumbers<T, G> {
+        &self.numbers.links[self.slot - 1]
+    }
+}
+
+/// Rates of all coordinates, and the accelerations of those that drives hold, in the order of the tree's drives.
+#[derive(Debug, Clone, Copy)]
+pub struct Rates<'a, T> {
+    /// m/s and rad/s.
+    pub rates: &'a [T],
+    /// m/s² and rad/s².
+    pub driven_accelerations: &'a [T],
+}
+
+impl<'a, T: Real> Rates<'a, T> {
+    /// The acceleration of the drive of a link's coordinate, if there is one.
+    #[inline(always)]
+    pub fn driven<G: TreeGeometry>(&self, tree: &Tree<G>, link: &Link<G>) -> Option<T> {
+        link.is_driven.then(|| self.driven_accelerations[link.speeds.start - tree.free_speeds])
+    }
+}
+
+/// Velocities for unit rates: of the origin of a body, and its turning.
+pub struct Columns<'a, T: Real, G: Geometry> {
+    /// m per unit of the coordinate.
+    pub linear: &'a mut [G::Vector<T>],
+    /// Angular velocity for unit rates.
+    pub turnings: &'a mut [G::Turning<T>],
+}
+
+/// How a body hangs on its parent: a kind of attachment.
+pub trait KindOfAttachment<G: TreeGeometry>: FormOfAttachment<G> {
+    /// Where the body is. `own` are its coordinates, `coordinates` those of all of the tree.
+    fn pose<T: Real>(
+        &self,
+        place: &Place<'_, T, G>,
+        parent: &Pose<T, G>,
+        own: &[T],
+        coordinates: &[T],
+        sin_cos: impl Fn(T) -> (T, T),
+    ) -> Pose<T, G>;
+
+    /// Its velocities for unit rates of its own coordinates, while the parent stands still.
+    fn columns<T: Real>(
+        &self,
+        place: &Place<'_, T, G>,
+        poses: [&Pose<T, G>; 2],
+        coordinates: &[T],
+        columns: Columns<'_, T, G>,
+    );
+
+    /// Its acceleration when the free coordinates have none.
+    fn bias<T: Real>(&self, place: &Place<'_, T, G>, kinematics: &Kinematics<T, G>, rates: Rates<'_, T>)
+    -> Twist<T, G>;
+
+    /// Its own coordinates and their rates where child and parent stand as said; what it does not know it leaves.
+    fn coordinates_between(
+        &self,
+        numbers: &LinkNumbers<f64, G>,
+        parent: (&Pose<f64, G>, &Twist<f64, G>),
+        own: (&Pose<f64, G>, &Twist<f64, G>),
+        coordinates: &mut [f64],
+        rates: &mut [f64],
+    );
+
+    /// Rates of its own coordinates for its speeds: the speeds themselves but for a quaternion.
+    fn coordinate_rates<T: Real>(&self, own: &[T], speeds: &[T], rates: &mut [T]) {
+        let _ = own;
+        rates.copy_from_slice(speeds);
+    }
+
+    /// Turnings for unit rates of its own coordinates where they are the same in all positions; of others, none.
+    fn first_turnings<T: Real>(&self, tree: &Tree<G>) -> Vec<G::Turning<T>>;
+}
+
+/// Acceleration of a body that turns about a point of its parent: with its own angular acceleration where `spin` is one.
+#[inline(always)]
+pub(super) fn about_point<T: Real, G: TreeGeometry>(
+    place: &Place<'_, T, G>,
+    kinematics: &Kinematics<T, G>,
+    spin: Option<G::Spin<T>>,
+) -> Twist<T, G> {
+    let (numbers, parent_slot) = (place.of_link(), place.link().parent_slot);
+    let parent_arm = kinematics.poses[parent_slot].turn(numbers.parent_arm_m);
+    let own_arm = kinematics.poses[place.slot].turn(numbers.own_arm_m);
+    let mut linear = kinematics.bias_at(parent_slot, parent_arm);
+    if let Some(spin) = spin {
+        linear = G::carried_back(linear, spin, own_arm);
+    }
+    let linear = G::centrifugal(linear, kinematics.twists[place.slot].angular, own_arm);
+    Twist { linear, angular: spin.unwrap_or(G::at_rest()) }
+}
+
+/// Acceleration of the origin of a body as part of its parent, with which it turns.
+#[inline(always)]
+pub(super) fn carried<T: Real, G: TreeGeometry>(place: &Place<'_, T, G>, kinematics: &Kinematics<T, G>) -> Twist<T, G> {
+    let parent_slot = place.link().parent_slot;
+    let reach = kinematics.poses[place.slot].position_m - kinematics.poses[parent_slot].position_m;
+    Twist { linear: kinematics.bias_at(parent_slot, reach), angular: kinematics.biases[parent_slot].angular }
+}
