@@ -27,7 +27,7 @@ mod space;
 mod study;
 mod trial;
 
-pub use space::{check_space, mobility_in_space};
+pub use space::check_space;
 
 use std::sync::atomic::{AtomicBool, Ordering};
 

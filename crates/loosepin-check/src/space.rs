@@ -1,8 +1,8 @@
 //! Description of a mechanism in space.
 
-use loosepin_result::spatial_motion::OTHER_START;
+use loosepin_result::motion::OTHER_START;
 use loosepin_space::{
-    ClosureError, IdleKind, IdleMotion, IsStopped, JointCoordinate, Mobility, ModelPlay, PoseAccuracy, Position,
+    ClosureError, IdleKind, IdleMotion, IsStopped, JointCoordinate, ModelPlay, PoseAccuracy, Position,
     RedundantDirection, SpatialMechanism, SpatialModel, assemble, mobility, stop_after,
 };
 use loosepin_text::article::{Article, Fact, Section};
@@ -129,27 +129,10 @@ fn play_words(play: ModelPlay, values: &Values) -> String {
     }
 }
 
-/// Degrees of freedom and drives of a model in space in a sentence; `None` where it cannot be assembled.
-pub fn mobility_in_space(model: &SpatialModel) -> Option<String> {
-    let values = model.quantities.nominal();
-    let mechanism = model.mechanism(&values).ok()?;
-    let start = assemble(&mechanism, &model.drive_values(&values, 0.0)).ok()?;
-    Some(mobility_words(&mobility(&mechanism, &start)))
-}
-
-fn mobility_words(found: &Mobility) -> String {
-    format!(
-        "{}, {}: {}",
-        counted_or_no(found.degrees_of_freedom, "degree of freedom", "degrees of freedom"),
-        counted_or_no(found.drives, "drive", "drives"),
-        determined(found)
-    )
-}
-
 /// Degrees of freedom, idle ones, and rows that repeat others.
 fn freedoms(model: &SpatialModel, mechanism: &SpatialMechanism, start: &Position) -> Section {
     let found = mobility(mechanism, start);
-    let mut lines = vec![mobility_words(&found)];
+    let mut lines = vec![found.words()];
     lines.extend(found.idle.iter().map(|idle| idle_words(model, idle)));
     if !found.redundant.is_empty() {
         let count = found.redundant.len();
@@ -176,18 +159,6 @@ fn freedoms(model: &SpatialModel, mechanism: &SpatialMechanism, start: &Position
         ));
     }
     Section::of_sentences("mobility", lines)
-}
-
-fn determined(found: &Mobility) -> String {
-    let repeated = found.repeated_drives;
-    match (found.undriven_freedoms, repeated) {
-        (0, 0) => "the motion is determined".to_owned(),
-        (0, _) => format!(
-            "{} what the joints or other drives hold",
-            if repeated == 1 { "a drive repeats" } else { "drives repeat" }
-        ),
-        (free, _) => format!("{} without a drive", counted_or_no(free, "freedom is left", "freedoms are left")),
-    }
 }
 
 /// The joints that take part in redundant rows, each once.

@@ -43,7 +43,6 @@ pub use bands::draft_band::{DraftBand, draft_bands};
 pub use bands::draft_text::draft_text;
 pub use bands::live_band::{BandPart, LiveBand, LiveLimit, PartKind, live_bands};
 pub use bands::live_path::{LivePath, live_paths};
-pub use bands::live_spatial_band::live_spatial_bands;
 pub use cases_page::{cases_page, cases_text};
 pub use charts::figure::{Figure, figures};
 pub use compare::{
@@ -57,9 +56,8 @@ pub use medium::page::{Frame, widget_script};
 pub use medium::styles::figure_styles;
 pub use medium::terminal_table::TERMINAL_COLUMNS;
 pub use motion::{
-    CurveChoice, CurveKey, CurveLine, CurveQuantity, LiveCurve, live_curve, live_curves, motion_page, motion_text,
-    short_motion_text, spatial_motion_drawing, spatial_motion_page, spatial_motion_picture, spatial_motion_sentences,
-    spatial_motion_text,
+    CurveChoice, CurveKey, CurveLine, CurveQuantity, LiveCurve, live_curve, live_curves, motion_drawing, motion_page,
+    motion_picture, motion_text, short_motion_text,
 };
 pub use numbers::tag::{ResultTag, Tag, TaggedNumber, TaggedText, degree_group, percentile_group, tagged};
 pub use simulation::{

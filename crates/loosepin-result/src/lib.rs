@@ -14,11 +14,8 @@ pub mod point_path;
 pub mod repeat;
 pub mod round_off;
 pub mod simulation;
-pub mod spatial_motion;
 pub mod spatial_picture;
-mod spatial_summary;
 pub mod study;
 pub mod sweep;
 
 pub use contact_basis::{ContactBasis, ContactShape, LongPinForce};
-pub use spatial_summary::spatial_motion_summary;

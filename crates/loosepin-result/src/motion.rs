@@ -8,9 +8,14 @@ use serde::{Deserialize, Serialize};
 
 use crate::kinematics::KinematicProperties;
 use crate::simulation::{Drawing, Override};
+use crate::spatial_picture::SpatialPicture;
 use crate::study::PathError;
 use loosepin_terms::Deviation;
 use loosepin_text::units::{DisplayUnits, SiUnit, extended};
+
+/// What is said of a motion that begins elsewhere than the file places its bodies.
+pub const OTHER_START: &str = "the joints do not close from where bodies are placed at the start; of the positions found near there, this is the \
+                               nearest; [assembly] guess says where bodies are";
 
 /// The ideal motion over one cycle and the quasi-static effect of the clearances: no dynamics.
 ///
@@ -26,7 +31,7 @@ pub struct MotionRecord {
     /// How it is made again; empty in records of older versions.
     #[serde(default, skip_serializing_if = "Repeat::is_empty")]
     pub repeat: Repeat,
-    /// Name of the drive whose angle is the input.
+    /// Name of the drive whose angle is the input, or `time`.
     pub drive: String,
     /// Speed of the drive, to which velocities and accelerations belong, where it is constant.
     #[serde(with = "extended")]
@@ -47,11 +52,17 @@ pub struct MotionRecord {
     /// Whether proven ends hold between the recorded angles too, not only at them.
     #[serde(default)]
     pub is_proven_between_angles: bool,
+    /// What else is to be known of the motion, in sentences.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub remarks: Vec<String>,
     /// Units that pages and tables use.
     pub display_units: DisplayUnits,
     /// Angle of the drive over one cycle, increasing.
     #[serde(with = "extended")]
     pub drive_angle_rad: Vec<f64>,
+    /// Time where it is the input, and the angle above the phase of the cycle; empty where a drive turns.
+    #[serde(default, with = "extended", skip_serializing_if = "Vec::is_empty")]
+    pub time_s: Vec<f64>,
     /// One entry per position or angle among the outputs, in file order; behind the coordinates of a path its error along and across
     /// it, where its point never stands still.
     pub outputs: Vec<OutputMotion>,
@@ -70,8 +81,12 @@ pub struct MotionRecord {
     /// What play and scatter do at the poses that the study asks about: those of requirements first, then those of questions.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub asked: Vec<PoseEffect>,
-    /// The mechanism and its ideal poses.
+    /// The mechanism and its ideal poses in a plane; empty where `picture` has them.
+    #[serde(default, skip_serializing_if = "Drawing::is_empty")]
     pub drawing: Drawing,
+    /// The mechanism and its ideal poses in space; empty where `drawing` has them.
+    #[serde(default, skip_serializing_if = "SpatialPicture::is_empty")]
+    pub picture: SpatialPicture,
 }
 
 /// A requirement of a study, judged without dynamics: by the play at its worst and all parts within their limits.
@@ -216,13 +231,14 @@ pub struct OutputMotion {
     /// The path and which part of its error, where it is one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub path_error: Option<PathMotion>,
-    /// Ideal value; empty for an error of a path, as velocity and acceleration are then.
+    /// Ideal value; empty for an error of a path, as velocity and acceleration are then, and for the displacement of a point and the rotation
+    /// of a body, which are no numbers. Effects on these are lengths and angles: of the longest displacement, of the largest rotation.
     #[serde(with = "extended")]
     pub value_si: Vec<f64>,
-    /// Its time derivative at the speed of the drive.
+    /// Its time derivative at the speed of the drive; empty where it is not known.
     #[serde(with = "extended")]
     pub velocity_si: Vec<f64>,
-    /// Its second time derivative at the speed of the drive.
+    /// Its second time derivative at the speed of the drive; empty where it is not known.
     #[serde(with = "extended")]
     pub acceleration_si: Vec<f64>,
     /// The clearance answer.
@@ -286,14 +302,34 @@ pub struct ClearanceAnswer {
     /// Positions of the joints in the worst case over the cycle; absent in previews and where play moves nothing.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub witness: Option<WorstCaseWitness>,
-    /// Standard deviation when the journals are anywhere in their discs.
+    /// Searches at single positions, where there is none at all of them: where the first-order sum is largest; then, if play comes near a dead
+    /// centre there, where it is largest of the positions in which play comes near none.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub searched: Vec<SearchedPosition>,
+    /// Standard deviation when the journals are anywhere in their discs; empty where there is no closed form.
     #[serde(with = "extended")]
     pub disc_standard_deviation_si: Vec<f64>,
-    /// Standard deviation when the journals are on the rims.
+    /// Standard deviation when the journals are on the rims; empty where there is no closed form.
     #[serde(with = "extended")]
     pub rim_standard_deviation_si: Vec<f64>,
     /// Contribution of each joint.
     pub contributors: Vec<JointContributor>,
+}
+
+/// Deviations of an output that a search found at one position, with the loops closed exactly; of a displacement along the longest one of
+/// first order, of a rotation about the axis of the largest one.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SearchedPosition {
+    /// Number of the position.
+    pub position: usize,
+    /// The lowest and the highest deviation.
+    #[serde(with = "extended")]
+    pub found_si: [f64; 2],
+    /// Ends that no deviation passes; infinite where nothing is proven, absent where none was sought.
+    #[serde(default, with = "extended", skip_serializing_if = "Option::is_none")]
+    pub proven_si: Option<[f64; 2]>,
+    /// Conditions that the plays must meet together so that the loops close.
+    pub conditions: usize,
 }
 
 /// Positions of the joints with play at the largest deviation of an output.
@@ -334,7 +370,7 @@ pub struct UnprovenSpan {
 }
 
 /// Contribution of one clearance joint to the first-order sum.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct JointContributor {
     /// Name of the joint.
     pub joint: String,
@@ -344,6 +380,16 @@ pub struct JointContributor {
     /// c_k |g_k| over the cycle: its part of the first-order sum.
     #[serde(with = "extended")]
     pub first_order_si: Vec<f64>,
+    /// The largest effect of an offset of the journal without a lean, over the cycle. Both share the clearance: with the next it adds up to more
+    /// than the part. Empty where a journal has no other freedom.
+    #[serde(default, with = "extended", skip_serializing_if = "Vec::is_empty")]
+    pub offset_si: Vec<f64>,
+    /// The largest effect of a lean of the journal without an offset; empty where it cannot lean.
+    #[serde(default, with = "extended", skip_serializing_if = "Vec::is_empty")]
+    pub lean_si: Vec<f64>,
+    /// The effect of the axial clearance; empty where there is none.
+    #[serde(default, with = "extended", skip_serializing_if = "Vec::is_empty")]
+    pub axial_si: Vec<f64>,
 }
 
 /// Share of one scattering dimension.
@@ -362,6 +408,19 @@ impl MotionRecord {
         self.asked.iter().filter(move |asked| asked.output == output)
     }
 
+    /// The time at an angle; `None` where the angle of a drive is the input.
+    pub fn time_at_s(&self, angle_rad: f64) -> Option<f64> {
+        let ([from_s, .., to_s], [from_rad, .., to_rad]) = (&self.time_s[..], &self.drive_angle_rad[..]) else {
+            return None;
+        };
+        Some(from_s + (to_s - from_s) * (angle_rad - from_rad) / (to_rad - from_rad))
+    }
+
+    /// Number of the position with this angle.
+    pub fn position_at(&self, angle_rad: f64) -> Option<usize> {
+        self.drive_angle_rad.iter().position(|angle| *angle == angle_rad)
+    }
+
     /// Whether the record holds one whole turn of the drive.
     pub fn is_whole_turn(&self) -> bool {
         const ROUND_OFF: f64 = 1e-9;
@@ -373,6 +432,11 @@ impl MotionRecord {
 }
 
 impl OutputMotion {
+    /// Whether it is a displacement or a rotation, whose deviations are sizes: they have no sign.
+    pub fn is_size(&self) -> bool {
+        self.value_si.is_empty() && !self.is_of_path()
+    }
+
     /// Whether it is a coordinate or an error of a path: it has no motion of its own.
     pub fn is_of_path(&self) -> bool {
         self.coordinate_of.is_some() || self.path_error.is_some()

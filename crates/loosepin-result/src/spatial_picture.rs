@@ -21,6 +21,13 @@ pub struct SpatialPicture {
     pub traces: Vec<PictureTrace>,
 }
 
+impl SpatialPicture {
+    /// Whether there is nothing to draw.
+    pub fn is_empty(&self) -> bool {
+        self.bodies.is_empty()
+    }
+}
+
 /// A body.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PictureBody {

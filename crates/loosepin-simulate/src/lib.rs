@@ -55,7 +55,6 @@ pub use recording::history::{
 };
 pub use recording::motion_table::{motion_columns, motion_csv};
 pub use recording::report::{EnergyAccount, FrictionLoss, FrictionPath, PlaySummary, RunReport};
-pub use recording::spatial_motion_table::spatial_motion_csv;
 pub use recording::tables::{
     HistoryColumn, HistoryError, SpectrumColumn, body_states_of_csv, history_columns, history_csv, impacts_csv,
     spectrum_columns, spectrum_csv,

@@ -13,7 +13,6 @@ use std::{env, fs, io};
 
 use loosepin::accuracy::record::MotionRecord;
 use loosepin::report;
-use loosepin::result::spatial_motion::SpatialMotionRecord;
 use loosepin::space::SpatialModel;
 use loosepin::study::InputFile;
 
@@ -40,8 +39,8 @@ fn write_pages(folder: &Path) -> io::Result<()> {
     write_page(folder, "motion", &report::motion_page(&report_fixture::motion::worn_pin()))?;
     write_page(folder, "four_bar", &report::motion_page(&report_fixture::motion::four_bar()))?;
     write_page(folder, "coupler_path", &report::motion_page(&coupler_path()))?;
-    write_page(folder, "space", &report::spatial_motion_page(&template_in_space("spatial-four-bar")))?;
-    write_page(folder, "space_over_time", &report::spatial_motion_page(&template_in_space("steering-linkage")))?;
+    write_page(folder, "space", &report::motion_page(&template_in_space("spatial-four-bar")))?;
+    write_page(folder, "space_over_time", &report::motion_page(&template_in_space("steering-linkage")))?;
     write_page(folder, "sweep", &report::sweep_page(&report_fixture::sweep::windows()))?;
     fs::write(folder.join("study.txt"), report::study_text(&report_fixture::study::worn_pin()))?;
     fs::write(folder.join("simulation.txt"), report::simulation_text(&report_fixture::simulation::worn_pin()))?;
@@ -61,7 +60,7 @@ fn coupler_path() -> MotionRecord {
 }
 
 /// The motion of a template in space, as the library computes it.
-fn template_in_space(name: &str) -> SpatialMotionRecord {
+fn template_in_space(name: &str) -> MotionRecord {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../loosepin-import/templates/{name}/model.toml"));
     let model = SpatialModel::from_path(&file).unwrap_or_else(|problems| panic!("{problems}"));
     model.motion_record(&model.quantities.nominal()).unwrap_or_else(|problems| panic!("{problems}"))

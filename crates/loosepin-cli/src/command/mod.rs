@@ -20,7 +20,6 @@ pub mod serve;
 mod shard;
 mod signals;
 pub mod simulate;
-mod space;
 mod stored;
 pub mod study;
 pub mod sweep;

@@ -10,7 +10,6 @@ use loosepin::simulate::motion_csv;
 use loosepin::study::InputFile;
 
 use super::inputs::warn;
-use super::space::move_in_space;
 use super::stored::{FirstScreen, StoredResult, claim, run_and_write, show_found, write_and_print};
 use crate::arguments::MotionArguments;
 use crate::ending::{Done, Ending};
@@ -20,9 +19,6 @@ pub fn run(arguments: &MotionArguments) -> Ending {
     let file = InputFile::from_path(&arguments.file)?;
     warn(&warnings(&file));
     warn(&file.model().warnings_of_settings(&arguments.set));
-    if let Some(model) = file.model().spatial() {
-        return move_in_space(arguments, &file, model);
-    }
     let record = file.motion_answer(&arguments.set, &arguments.path, &AtomicBool::new(false))?;
     let inputs = file.motion_inputs(&arguments.set, &arguments.path);
     let claim = claim(ResultKind::Motion, file.model().name(), inputs, &arguments.output);

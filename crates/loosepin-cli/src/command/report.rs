@@ -1,15 +1,13 @@
 //! `loosepin report`.
 
-use std::io::ErrorKind;
 use std::path::Path;
 
 use loosepin::accuracy::record::MotionRecord;
 use loosepin::diagnostics::{Code, nearest_name, problems};
-use loosepin::files::read_named_text;
 use loosepin::identify::record::Identification;
 use loosepin::model::{Rule, measured_argument};
 use loosepin::report::{Figure, figures};
-use loosepin::results::{REPORT_FILE, ResultKind, ResultsError, ResultsFolder, write_whole};
+use loosepin::results::{ResultKind, ResultsError, ResultsFolder, write_whole};
 use loosepin::simulate::record::SimulationRecord;
 use loosepin::study::result::StudyResult;
 use loosepin::sweep::record::SweepRecord;
@@ -20,8 +18,6 @@ use crate::arguments::ReportArguments;
 use crate::console;
 use crate::ending::{Done, Ending, Failure};
 
-/// The largest page that is read: that of a study with many outputs has a few megabytes.
-const MAX_PAGE_BYTES: u64 = 1 << 28;
 /// Millimetres in a metre.
 const MM_PER_M: f64 = 1e3;
 
@@ -93,19 +89,9 @@ fn save(path: &Path, text: &str) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The page of a finished result, written again, so that figures are saved as this version draws them; that of a motion in space as it is.
+/// The page of a finished result, written again, so that figures are saved as this version draws them.
 fn page(folder: &Path) -> Result<String, Failure> {
-    let folder = match ResultsFolder::reopen(folder) {
-        // A motion in space is written without the marker of results: its page stands as it was written.
-        Err(ResultsError::NoMarker { folder: path }) => {
-            let page = folder.join(REPORT_FILE);
-            return read_named_text(&page, MAX_PAGE_BYTES).map_err(|source| match source.kind() {
-                ErrorKind::NotFound => ResultsError::NoMarker { folder: path }.into(),
-                _ => ResultsError::Read { path: page, source }.into(),
-            });
-        }
-        reopened => reopened?,
-    };
+    let folder = ResultsFolder::reopen(folder)?;
     match folder.kind() {
         ResultKind::Simulation => page_of::<SimulationRecord>(&folder),
         ResultKind::Study => page_of::<StudyResult>(&folder),

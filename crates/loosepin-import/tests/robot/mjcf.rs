@@ -242,7 +242,7 @@ fn analytic_four_bar_closes() {
     let passive = model_of(&FOUR_BAR.replace("<motor joint='crank'/>", ""));
     assert_eq!(passive.drives.len(), 1);
     let record = model.motion_record(&model.quantities.nominal()).unwrap();
-    assert_eq!(record.inputs_si.len(), 37);
+    assert_eq!(record.drive_angle_rad.len(), 37);
 }
 
 #[test]

@@ -154,16 +154,16 @@ fn what_is_read_can_be_moved_and_given_play() {
         let model = SpatialModel::from_text("model.toml", text).unwrap_or_else(|found| panic!("{found}"));
         assert!(model.warnings.is_empty());
         let record = model.motion_record(&model.quantities.nominal()).unwrap_or_else(|found| panic!("{found}"));
-        assert_eq!(record.inputs_si.len(), 37);
-        assert_eq!(record.has_play, !is_zero);
+        assert_eq!(record.drive_angle_rad.len(), 37);
+        assert_eq!(record.picture.joints.iter().any(|joint| joint.has_play), !is_zero);
         for output in &record.outputs {
-            let largest = output.first_order_si.iter().fold(0.0_f64, |largest, value| largest.max(*value));
+            let largest = output.clearance.first_order_si.iter().fold(0.0_f64, |largest, value| largest.max(*value));
             assert_eq!(largest == 0.0, is_zero, "{}: {largest}", output.name);
         }
         // A whole turn of the column turns the tool by as much.
         let turn = &record.outputs[1];
         assert_eq!(turn.name, "turn_of_tool");
-        let whole = turn.ideal_si[36] - turn.ideal_si[0];
+        let whole = turn.value_si[36] - turn.value_si[0];
         assert!((whole - std::f64::consts::TAU).abs() < 1e-9, "{whole}");
     }
 }

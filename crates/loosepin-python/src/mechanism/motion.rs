@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use loosepin::accuracy::record::MotionRecord;
-use loosepin::report::{mechanism_picture, motion_page, motion_text, short_motion_text};
+use loosepin::report::{motion_page, motion_picture, motion_text, short_motion_text};
 use loosepin::results::{MOTION_FILE, ResultKind, write_whole};
 use loosepin::simulate::motion_csv;
 use loosepin::study::{InputFile, RecordFiles, read_record};
@@ -69,6 +69,6 @@ impl Motion {
 
     /// The mechanism in one pose, as SVG.
     fn picture(&self) -> String {
-        mechanism_picture(&self.0.drawing, &self.0.model)
+        motion_picture(&self.0)
     }
 }

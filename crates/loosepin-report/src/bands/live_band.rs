@@ -83,7 +83,8 @@ pub struct LiveLimit {
 pub fn live_bands(record: &MotionRecord, limits: &[LiveLimit]) -> Vec<LiveBand> {
     let writer = NumberWriter::for_page(&record.display_units);
     let limits_of = |output: &OutputMotion| -> Vec<f64> {
-        limits.iter().filter(|limit| limit.output == output.name).map(|limit| limit.within_si).collect()
+        let name = banded_name(output);
+        limits.iter().filter(|limit| limit.output == name).map(|limit| limit.within_si).collect()
     };
     record.outputs.iter().filter_map(|output| band(record, output, &limits_of(output), &writer)).collect()
 }
@@ -102,24 +103,24 @@ fn kept_words(outer_si: f64, inner_si: Option<f64>, limit_si: f64, limit: &str) 
 }
 
 /// An output whose band is drawn.
-pub(super) struct BandSource<'r> {
-    pub name: &'r str,
+struct BandSource<'r> {
+    name: String,
     /// Its description with its name.
-    pub words: String,
+    words: String,
     /// What moves, in the sentence on the largest value.
-    pub moved: String,
-    /// A length, which is never negative: its band begins at 0.
-    pub is_length: bool,
-    pub unit: &'r SiUnit,
+    moved: String,
+    /// A size, which is never negative: its band begins at 0.
+    is_size: bool,
+    unit: &'r SiUnit,
     /// w, s_p and s_d at each position; s_p and s_d are empty where they are not known, or nothing scatters.
-    pub first_order_si: &'r [f64],
-    pub play_deviation_si: &'r [f64],
-    pub scatter_si: &'r [f64],
+    first_order_si: &'r [f64],
+    play_deviation_si: &'r [f64],
+    scatter_si: &'r [f64],
 }
 
 impl BandSource<'_> {
     /// Half widths of the outer and the inner band at each position, SI.
-    pub fn half_widths_si(&self) -> [Vec<f64>; 2] {
+    fn half_widths_si(&self) -> [Vec<f64>; 2] {
         let at = |list: &[f64], position: usize| list.get(position).copied().unwrap_or(0.0);
         let both = |position: usize| {
             let dimensions_si = at(self.scatter_si, position);
@@ -130,19 +131,17 @@ impl BandSource<'_> {
     }
 
     /// The position at which the outer band is widest, and half its width there, SI; `None` where it has none.
-    pub fn largest_si(&self) -> Option<(usize, f64)> {
+    fn largest_si(&self) -> Option<(usize, f64)> {
         let [outer_si, _] = self.half_widths_si();
         let [_, last] = places_of_largest(&outer_si)?;
         Some((last, outer_si[last])).filter(|(_, value_si)| *value_si > 0.0)
     }
 
-    /// The band on a chart that has its horizontal axis; `at` is the place of the largest value in words, and `in_order` puts values in the order
-    /// of the chart.
-    pub fn band(
+    /// The band on a chart that has its horizontal axis; `at` is the place of the largest value in words.
+    fn band(
         &self,
         mut chart: Chart,
         at: &str,
-        in_order: &dyn Fn(&[f64]) -> Vec<f64>,
         (limits_si, parts): (&[f64], PlacedParts),
         writer: &NumberWriter,
     ) -> Option<LiveBand> {
@@ -163,8 +162,8 @@ impl BandSource<'_> {
         chart.set_vertical_axis(format!("deviation of {}", self.name), self.unit, writer);
         chart.height = HEIGHT;
         let mut add = |label: &str, role, half_si: &[f64]| {
-            let upper = scaled(&in_order(half_si), self.unit, writer);
-            let lower: Vec<f64> = upper.iter().map(|value| if self.is_length { 0.0 } else { -value }).collect();
+            let upper = scaled(half_si, self.unit, writer);
+            let lower: Vec<f64> = upper.iter().map(|value| if self.is_size { 0.0 } else { -value }).collect();
             chart.entries.push(Entry::new(label, role, false, EntryValues::band(&lower, &upper)));
         };
         if has_play {
@@ -191,13 +190,13 @@ impl BandSource<'_> {
         let largest = format!(
             "{} by up to {}{}, at {at}",
             self.moved,
-            if self.is_length { "" } else { "±" },
+            if self.is_size { "" } else { "±" },
             writer.rounded(largest_si, self.unit, PLAIN_DIGITS, Rounding::Up),
         );
         chart.alternative = format!("Chart of the band of {} over one cycle, without dynamics: {largest}.", self.words);
         chart.caption = html! {};
         Some(LiveBand {
-            output: self.name.to_owned(),
+            output: self.name.clone(),
             words: self.words.clone(),
             largest,
             figure: chart.document(),
@@ -211,12 +210,17 @@ impl BandSource<'_> {
     }
 }
 
+/// The number whose band it is, as studies call it: of a displacement or a rotation its magnitude.
+fn banded_name(output: &OutputMotion) -> String {
+    if output.is_size() { format!("{} magnitude", output.name) } else { output.name.clone() }
+}
+
 fn source(output: &OutputMotion) -> BandSource<'_> {
     BandSource {
-        name: &output.name,
+        name: banded_name(output),
         words: named_words(&output.name, &output.words),
         moved: moved_words(output),
-        is_length: false,
+        is_size: output.is_size(),
         unit: &output.unit,
         first_order_si: &output.clearance.first_order_si,
         play_deviation_si: &output.clearance.disc_standard_deviation_si,
@@ -232,23 +236,21 @@ fn band(record: &MotionRecord, output: &OutputMotion, limits_si: &[f64], writer:
     let chart = angle_chart(record, name_of("band", &output.name), writer);
     let parts = match record.asked_of(&output.name).next() {
         Some(asked) => PlacedParts { place: asked_place(asked, writer), parts: asked_parts(asked) },
-        None => PlacedParts { place: widest_place(&at), parts: parts(output, position) },
+        None => {
+            let place = format!("at {at}, where the band is widest");
+            PlacedParts { place, parts: parts(output, position) }
+        }
     };
-    source.band(chart, &at, &<[f64]>::to_vec, (limits_si, parts), writer)
+    source.band(chart, &at, (limits_si, parts), writer)
 }
 
 /// Name, source and half width, SI, of a part of an outer band.
-pub(super) type Part = (String, PartKind, f64);
+type Part = (String, PartKind, f64);
 
 /// Parts of a band with their place in words.
-pub(super) struct PlacedParts {
-    pub place: String,
-    pub parts: Vec<Part>,
-}
-
-/// The place of the widest band in words.
-pub(super) fn widest_place(at: &str) -> String {
-    format!("at {at}, where the band is widest")
+struct PlacedParts {
+    place: String,
+    parts: Vec<Part>,
 }
 
 /// Parts of the outer band at a pose that a study asks about.
@@ -271,7 +273,7 @@ fn parts(output: &OutputMotion, position: usize) -> Vec<Part> {
 }
 
 /// Parts of what scatters, with its standard deviation at a position. Dimensions share it as their variances do.
-pub(super) fn dimension_parts(dimensions: &[DimensionContributor], deviation_si: f64, position: usize) -> Vec<Part> {
+fn dimension_parts(dimensions: &[DimensionContributor], deviation_si: f64, position: usize) -> Vec<Part> {
     let own =
         |dimension: &'_ DimensionContributor| dimension.standard_deviation_si.get(position).copied().unwrap_or(0.0);
     let dimensions = dimensions.iter().map(|dimension| (dimension.path.as_str(), own(dimension)));
@@ -313,6 +315,7 @@ mod tests {
             joint: name.to_owned(),
             radial_clearance_m: 1e-4,
             first_order_si: vec![worst_si],
+            ..JointContributor::default()
         };
         let dimension = |path: &str, deviation_si: f64| DimensionContributor {
             path: path.to_owned(),

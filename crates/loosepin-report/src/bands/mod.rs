@@ -5,4 +5,3 @@ pub(crate) mod draft_band;
 pub(crate) mod draft_text;
 pub(crate) mod live_band;
 pub(crate) mod live_path;
-pub(crate) mod live_spatial_band;

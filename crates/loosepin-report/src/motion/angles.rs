@@ -11,9 +11,12 @@ use std::f64::consts::TAU;
 /// Angles that are nearer to each other are one place, rad: both are computed from the same input.
 const SAME_ANGLE_RAD: f64 = 1e-9;
 
-/// An angle of the drive in words; from 0° to below 360° where the record holds a whole turn.
+/// An angle of the drive in words; from 0° to below 360° where the record holds a whole turn. The time, where that is the input.
 pub(crate) fn turn_angle(record: &MotionRecord, angle_rad: f64, digits: usize, writer: &NumberWriter) -> String {
-    writer.rounded(shown_angle_rad(record, angle_rad), &SiUnit::ANGLE, digits, Rounding::Nearest)
+    match record.time_at_s(angle_rad) {
+        Some(time_s) => writer.rounded(time_s, &SiUnit::TIME, digits, Rounding::Nearest),
+        None => writer.rounded(shown_angle_rad(record, angle_rad), &SiUnit::ANGLE, digits, Rounding::Nearest),
+    }
 }
 
 /// The displayed angle of the drive: within its turn if the record holds a whole one.
@@ -65,7 +68,10 @@ pub(crate) fn not_the_asked_one<'r>(asked: impl Iterator<Item = &'r PoseEffect>,
     }
 }
 
-/// A chart over the angle of the drive.
+/// A chart over the angle of the drive, or over the time where that is the input.
 pub(crate) fn angle_chart(record: &MotionRecord, id: String, writer: &NumberWriter) -> Chart {
-    Chart::over_angle(id, &record.drive, &record.drive_angle_rad, writer)
+    match &record.time_s[..] {
+        [] => Chart::over_angle(id, &record.drive, &record.drive_angle_rad, writer),
+        times_s => Chart::over(id, &record.drive, times_s, &SiUnit::TIME, writer),
+    }
 }

@@ -3,14 +3,15 @@
 use crate::medium::short_answer::{Said, Weight, words};
 use crate::numbers::number::{NumberWriter, PLAIN_DIGITS, Rounding};
 use crate::numbers::tag::Tag;
-use crate::words::wording::listed;
+use crate::words::wording::{capitalised, listed};
 use loosepin_result::motion::{GuideOverhang, MotionRecord, OutputMotion, PathMotion, PoseEffect, SingularPosition};
 use loosepin_result::study::PathError;
 use loosepin_text::units::SiUnit;
 
 use super::angles::{asked_place, largest, shown_angle_rad, turn_angle};
 use super::kinematic_sentences::kinematic_sentences;
-use super::play_effect::{play_effect, spread_on_rims, unproven_sentences};
+use super::play_effect::{is_spread_anywhere, play_effect, spread, unproven_sentences};
+use super::searched::searched_said;
 use super::verdicts::{verdict_headline, verdicts_said};
 
 /// Whether play moves an output.
@@ -44,17 +45,23 @@ pub(super) fn all_said(record: &MotionRecord, writer: &NumberWriter) -> Vec<Said
     let outputs = record.outputs.iter().filter(|output| has_clearance(output));
     let of_play: Vec<Said> = outputs
         .enumerate()
-        .map(|(place, output)| {
+        .flat_map(|(place, output)| {
             let effect = play_effect(record, output);
+            let likely = match is_spread_anywhere(output) {
+                true => "With the journals anywhere in their play, all places alike",
+                false => "If every contact direction is equally likely",
+            };
+            let spread = spread(record, output, writer);
+            let spread = spread.map(|spread| format!(" {likely}, the standard deviation is at most {spread}."));
             let words = format!(
-                "Play alone moves the {} by up to {} ({}). If every contact direction is equally likely, the standard deviation is at \
-                 most {}.",
+                "Play alone moves the {} by up to {} ({}).{}",
                 moved_words(output),
                 effect.written(output, writer),
                 effect.words(record, output, writer),
-                spread_on_rims(record, output, writer),
+                spread.unwrap_or_default(),
             );
-            Said { weight: weight_of(place), words }
+            let weight = weight_of(place);
+            std::iter::once(Said { weight, words }).chain(searched_said(record, output, weight, writer))
         })
         .collect();
     if of_play.is_empty() {
@@ -89,6 +96,7 @@ pub(super) fn all_said(record: &MotionRecord, writer: &NumberWriter) -> Vec<Said
     said.extend(unproven_sentences(record, writer).into_iter().map(Said::caveat));
     let overhangs = record.guide_overhangs.iter().map(|overhang| overhang_sentence(record, overhang, writer));
     said.extend(overhangs.map(Said::caveat));
+    said.extend(record.remarks.iter().map(|remark| Said::detail(format!("{}.", capitalised(remark)))));
     said.extend(kinematic_sentences(record, writer).into_iter().map(Said::detail));
     said
 }

@@ -18,11 +18,16 @@ use super::play_effect::{Shown, play_effect};
 
 /// Explanation of the charts, and a chart of each output but the first, whose chart stands below the answer.
 pub(super) fn clearance(record: &MotionRecord, writer: &NumberWriter) -> Markup {
+    let is_searched = record.outputs.iter().any(|output| !output.clearance.searched.is_empty());
     html! {
-        p {
+        @if is_searched { p {
+            "Each journal may be anywhere in its play: offsets, leans and axial displacements at once. The band is the worst case of first order. \
+             Where it is largest, a search closed the loops exactly. The standard deviation assumes all places alike. Inertia and impacts are not \
+             included."
+        } } @else { p {
             "Each journal may be anywhere in its clearance circle. The worst case is the largest deviation found by a search over all these positions, with the exact geometry of the links. No position leads beyond the proven ends. The standard deviations assume journals uniformly distributed over their circles, or over the rims. Inertia and impacts are not \
              included: use " code { "simulate" } " and " code { "study" } " for them."
-        }
+        } }
         @for output in record.outputs.iter().filter(|output| has_clearance(output)).skip(1) {
             (clearance_chart(record, output, writer).figure())
         }

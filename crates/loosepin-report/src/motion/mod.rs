@@ -9,7 +9,8 @@
 //! | loops, swings, dead centres, transmission angles | `kinematic_sentences.rs` |
 //! | paths of points with their zones | `paths.rs` |
 //! | what the drives must do | `efforts.rs` |
-//! | a motion in space | `spatial/` |
+//! | what was found at single positions | `searched.rs` |
+//! | the mechanism as it is drawn, in a plane or in space | `drawing.rs` |
 //! | on the page alone: charts over the cycle | `charts.rs` |
 //! | one of these charts while a mechanism is edited | `live_curve.rs` |
 //!
@@ -19,6 +20,7 @@ mod angles;
 mod answer;
 mod charts;
 mod contributors;
+mod drawing;
 mod efforts;
 mod kinematic_sentences;
 mod live_curve;
@@ -27,15 +29,15 @@ mod paths;
 mod play_effect;
 mod ranges;
 mod scatter;
-pub(crate) mod spatial;
+mod searched;
 mod text;
 mod verdicts;
 
 pub(crate) use angles::{angle_chart, asked_place, turn_angle};
 pub(crate) use answer::{headline_sentences, moved_words};
+pub(crate) use contributors::{joints_section, joints_text};
+pub(crate) use drawing::motion_figure;
+pub use drawing::{motion_drawing, motion_picture};
 pub use live_curve::{CurveChoice, CurveKey, CurveLine, CurveQuantity, LiveCurve, live_curve, live_curves};
 pub use page::motion_page;
-pub use spatial::{
-    spatial_motion_drawing, spatial_motion_page, spatial_motion_picture, spatial_motion_sentences, spatial_motion_text,
-};
 pub use text::{motion_text, short_motion_text};

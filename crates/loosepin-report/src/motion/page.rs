@@ -2,7 +2,6 @@
 
 use maud::html;
 
-use crate::mechanism::figure::mechanism_figure;
 use crate::medium::article_page::{overview, page_section};
 use crate::medium::page::{Page, Section, changes};
 use crate::medium::short_answer::ShortAnswer;
@@ -17,6 +16,7 @@ use loosepin_text::units::SiUnit;
 use super::answer::{all_said, has_clearance, has_scatter, singular_place};
 use super::charts::{clearance, clearance_chart, ideal_motion, transmission};
 use super::contributors::contributors_section;
+use super::drawing::{motion_figure, motion_method, views_section};
 use super::efforts::efforts_section;
 use super::paths::{first_path_figure, paths_section};
 use super::ranges::ranges_section;
@@ -45,6 +45,7 @@ pub fn motion_page(record: &MotionRecord) -> String {
         play.map(|_| Section::new("clearance", "Effect of play", clearance(record, writer))),
         page_section(contributors_section(record, writer)),
         page_section(scatter_section(record, scatter, writer)),
+        views_section(record, writer),
         Some(Section::new("motion", "Ideal motion", ideal_motion(record, writer))),
         transmission(record, writer).map(|body| Section::new("transmission", "Transmission", body)),
         page_section(efforts_section(record, writer)),
@@ -64,7 +65,7 @@ pub fn motion_page(record: &MotionRecord) -> String {
         },
         answer,
         is_answer_short: true,
-        beside: mechanism_figure(&record.drawing, &record.drive),
+        beside: motion_figure(record),
         below,
         more: outputs,
         is_folded: true,
@@ -77,19 +78,8 @@ pub fn motion_page(record: &MotionRecord) -> String {
 
 fn method(record: &MotionRecord, writer: &NumberWriter) -> article::Section {
     let positions = count(record.drive_angle_rad.len() as u64, &writer.with_tag(&Tag::Count("positions")));
-    let [two, four] = [2, 4].map(|divisor| writer.with_tag(&Tag::Given("divisor")).count(divisor));
-    let first_order = format!(
-        "to first order an eccentricity e within |e| ≤ c moves the output by g·e, with g from the mechanism's own Jacobian: Σ c|g| at most; \
-         variance Σ c²|g|²/{four} (anywhere in the disc), Σ c²|g|²/{two} (on the rim)"
-    );
-    let mut facts = vec![
-        Fact::new("Mobility", [record.mobility.as_str()]),
-        Fact::new(
-            "Ideal motion",
-            [format!("loops closed at position, velocity and acceleration level, {positions} positions")],
-        ),
-        Fact::new("Effect of play", [first_order]),
-    ];
+    let mut facts = vec![Fact::new("Mobility", [record.mobility.as_str()])];
+    facts.extend(motion_method(record, &positions, writer));
     if record.outputs.iter().any(|output| !output.clearance.worst_case_si.is_empty()) {
         facts.push(Fact::new("Worst case", [worst_case_method(record)]));
     }

@@ -3,10 +3,9 @@
 use crate::numbers::number::{NumberWriter, PLAIN_DIGITS, Rounding};
 use crate::numbers::tag::Tag;
 use crate::words::wording::listed;
-use loosepin_result::motion::{MotionRecord, OutputMotion};
-use loosepin_text::units::SiUnit;
+use loosepin_result::motion::{ClearanceAnswer, MotionRecord, OutputMotion};
 
-use super::angles::{largest, shown_angle_rad, turn_angle};
+use super::angles::{largest, turn_angle};
 
 /// The largest effect of play on one output over the cycle.
 pub(super) struct PlayEffect {
@@ -30,11 +29,19 @@ pub(super) enum Shown {
     Found,
 }
 
+/// Place and size of the largest first-order sum of an output: where a search was made, if it was at single positions.
+pub(super) fn largest_first_order(record: &MotionRecord, output: &OutputMotion) -> (f64, f64) {
+    let OutputMotion { clearance: answer, .. } = output;
+    let at = |position: usize| Some((*record.drive_angle_rad.get(position)?, *answer.first_order_si.get(position)?));
+    let searched = answer.searched.first().and_then(|searched| at(searched.position));
+    searched.unwrap_or_else(|| largest(record, &answer.first_order_si))
+}
+
 /// The largest effect of play on an output; NaN if there are no positions.
 pub(super) fn play_effect(record: &MotionRecord, output: &OutputMotion) -> PlayEffect {
     let answer = &output.clearance;
     if answer.worst_case_si.is_empty() {
-        let (angle_rad, largest_si) = largest(record, &answer.first_order_si);
+        let (angle_rad, largest_si) = largest_first_order(record, output);
         return PlayEffect { angle_rad, largest_si, shown: Shown::FirstOrder };
     }
     let (angle_rad, largest_si) = largest(record, &answer.worst_case_si);
@@ -68,7 +75,7 @@ impl PlayEffect {
     /// `±0.5503 mm`, rounded up.
     pub fn written(&self, output: &OutputMotion, writer: &NumberWriter<'_>) -> String {
         let tag = Tag::joint(&output.name, "play", "largest");
-        format!("±{}", writer.with_tag(&tag).rounded(self.largest_si, &output.unit, PLAIN_DIGITS, Rounding::Up))
+        to_both_sides(output, writer.with_tag(&tag).rounded(self.largest_si, &output.unit, PLAIN_DIGITS, Rounding::Up))
     }
 
     /// The angle of the drive where it is largest.
@@ -101,9 +108,12 @@ impl PlayEffect {
     /// `worst case, at 270°; proven: never more than ±0.5504 mm`.
     pub fn words(&self, record: &MotionRecord, output: &OutputMotion, writer: &NumberWriter<'_>) -> String {
         let at = self.place(record, output, 3, writer);
-        let through = if self.is_through_dead_centre(record) { "through a dead centre, " } else { "" };
+        let (through, reaching) = match self.is_through_dead_centre(record) {
+            true => ("through a dead centre, ", "where play reaches a dead centre, "),
+            false => ("", ""),
+        };
         match (&self.shown, self.proven(record, output, writer)) {
-            (Shown::FirstOrder, _) => format!("first order, at {at}"),
+            (Shown::FirstOrder, _) => format!("first order, {reaching}at {at}"),
             (shown, Some(end)) => {
                 let found = if matches!(shown, Shown::UpTo(_)) { "worst case" } else { "largest found" };
                 let between = if record.is_proven_between_angles { "" } else { " at the angles shown" };
@@ -120,11 +130,29 @@ impl PlayEffect {
     }
 }
 
-/// The largest standard deviation of an output if every direction of the contacts is equally likely.
-pub(super) fn spread_on_rims(record: &MotionRecord, output: &OutputMotion, writer: &NumberWriter<'_>) -> String {
-    let (_, spread_si) = largest(record, &output.clearance.rim_standard_deviation_si);
-    let tag = Tag::joint(&output.name, "play", "standard deviation on the rims");
-    writer.with_tag(&tag).rounded(spread_si, &output.unit, PLAIN_DIGITS, Rounding::Up)
+/// A deviation to both sides alike; that of a displacement or a rotation is a size.
+pub(super) fn to_both_sides(output: &OutputMotion, number: String) -> String {
+    if output.is_size() { number } else { format!("±{number}") }
+}
+
+/// The largest standard deviation of an output by play: if every direction of the contacts is equally likely, or where that has no closed form
+/// with the journals anywhere in their play. `None` where neither has one.
+pub(super) fn spread(record: &MotionRecord, output: &OutputMotion, writer: &NumberWriter<'_>) -> Option<String> {
+    let ClearanceAnswer { rim_standard_deviation_si, disc_standard_deviation_si, .. } = &output.clearance;
+    let ways = [
+        (rim_standard_deviation_si, "standard deviation on the rims"),
+        (disc_standard_deviation_si, "standard deviation anywhere in the play"),
+    ];
+    let (values_si, statistic) = ways.into_iter().find(|(values_si, _)| !values_si.is_empty())?;
+    let (_, spread_si) = largest(record, values_si);
+    let tag = Tag::joint(&output.name, "play", statistic);
+    Some(writer.with_tag(&tag).rounded(spread_si, &output.unit, PLAIN_DIGITS, Rounding::Up))
+}
+
+/// Whether [`spread`] is that of journals anywhere in their play.
+pub(super) fn is_spread_anywhere(output: &OutputMotion) -> bool {
+    let answer = &output.clearance;
+    answer.rim_standard_deviation_si.is_empty() && !answer.disc_standard_deviation_si.is_empty()
 }
 
 /// Spans in which no end of the worst cases is proven, a sentence for each reason.
@@ -147,7 +175,7 @@ fn places_words(record: &MotionRecord, spans: &[[f64; 2]], writer: &NumberWriter
     for span in spans {
         let [from, to] = span.map(|angle_rad| {
             let tag = Tag::whole("unproven", &angle_rad.to_string());
-            writer.with_tag(&tag).rounded(shown_angle_rad(record, angle_rad), &SiUnit::ANGLE, 3, Rounding::Nearest)
+            turn_angle(record, angle_rad, 3, &writer.with_tag(&tag))
         });
         let place = if from == to { format!("at {from}") } else { format!("from {from} to {to}") };
         if !places.contains(&place) {

@@ -9,15 +9,13 @@ use super::parts::{Part, parts, round};
 use super::placed::{Surroundings, on_sheet, placed};
 use super::projection::Projection;
 use super::signs::{sheet, triad};
-use super::turn::is_whole_turn;
 use crate::charts::figure::Picture;
 use crate::mechanism::figure::pose_step;
 use crate::mechanism::shapes::{Frame, MM_PER_M};
 use crate::mechanism::signs::scale;
 use crate::medium::script_data::script_json;
-use loosepin_result::spatial_motion::SpatialMotionRecord;
+use loosepin_result::motion::MotionRecord;
 use loosepin_result::spatial_picture::PicturePose;
-use loosepin_text::units::SiUnit;
 
 /// Name of the figure.
 const NAME: &str = "mechanism";
@@ -89,7 +87,7 @@ fn half_sides(around: &Surroundings) -> [f64; 2] {
     [width, height.clamp(HEIGHTS[0] * width, HEIGHTS[1] * width).max(first)]
 }
 
-fn prepared(record: &SpatialMotionRecord, wanted: usize) -> Option<Prepared> {
+fn prepared(record: &MotionRecord, wanted: usize) -> Option<Prepared> {
     let own = &record.picture;
     let poses: &[PicturePose] = &own.poses.get(wanted)?.iter().map(rounded_pose).collect::<Vec<PicturePose>>();
     let step = pose_step(own.poses.len());
@@ -155,24 +153,25 @@ pub struct SpaceDrawing {
 }
 
 /// The drawing, at first in the position `sample`; `None` where the record has none.
-pub(crate) fn space_drawing(record: &SpatialMotionRecord, sample: usize) -> Option<SpaceDrawing> {
+pub(crate) fn space_drawing(record: &MotionRecord, sample: usize) -> Option<SpaceDrawing> {
     let prepared = prepared(record, sample)?;
     let scene = serde_json::to_string(&data(record, &prepared)).ok()?;
     Some(SpaceDrawing { svg: prepared.picture.document(&[]), scene })
 }
 
-fn data<'p>(record: &SpatialMotionRecord, prepared: &'p Prepared) -> Data<'p> {
-    let is_angle = record.input_unit == SiUnit::ANGLE;
+fn data<'p>(record: &MotionRecord, prepared: &'p Prepared) -> Data<'p> {
+    let is_angle = record.time_s.is_empty();
     let shown = |sample: &usize| {
-        let input = record.inputs_si.get(*sample).copied().unwrap_or_default();
-        round(if is_angle { input.to_degrees() } else { input })
+        let time_s = record.time_s.get(*sample).copied();
+        let angle_deg = record.drive_angle_rad.get(*sample).map(|angle_rad| angle_rad.to_degrees());
+        round(time_s.or(angle_deg).unwrap_or_default())
     };
     let poses = prepared.samples.iter().filter_map(|sample| record.picture.poses.get(*sample));
     let view = Projection::ISOMETRIC;
     Data {
         inputs: prepared.samples.iter().map(shown).collect(),
         is_angle,
-        is_turn: is_whole_turn(record),
+        is_turn: is_angle && record.is_whole_turn(),
         start: prepared.start,
         azimuth: view.azimuth_rad.to_degrees(),
         elevation: view.elevation_rad.to_degrees(),
@@ -189,7 +188,7 @@ fn data<'p>(record: &SpatialMotionRecord, prepared: &'p Prepared) -> Data<'p> {
 }
 
 /// The picture with its controls, at first in the position `sample`; empty if the record has none.
-pub(crate) fn spatial_figure(record: &SpatialMotionRecord, sample: usize) -> Markup {
+pub(crate) fn spatial_figure(record: &MotionRecord, sample: usize) -> Markup {
     let Some(prepared) = prepared(record, sample) else { return html! {} };
     let data = data(record, &prepared);
     let is_angle = data.is_angle;
@@ -205,9 +204,9 @@ pub(crate) fn spatial_figure(record: &SpatialMotionRecord, sample: usize) -> Mar
             div.controls {
                 button.play type="button" aria-pressed="false" { "Animate" }
                 label {
-                    span { (record.input) " at " output.angle { (at) } }
+                    span { (record.drive) " at " output.angle { (at) } }
                     input.pose type="range" min="0" max=(data.inputs.len().saturating_sub(1)) value=(data.start) step="1"
-                        aria-label=(if is_angle { format!("Angle of {}", record.input) } else { "Time".to_owned() });
+                        aria-label=(if is_angle { format!("Angle of {}", record.drive) } else { "Time".to_owned() });
                 }
                 div.views role="group" aria-label="View" {
                     @for (word, view) in VIEWS {
@@ -230,12 +229,12 @@ const VIEWS: [(&str, Projection); 4] = [
     ("Top", Projection::TOP),
 ];
 
-fn caption(record: &SpatialMotionRecord, magnification: Option<f64>) -> Markup {
+fn caption(record: &MotionRecord, magnification: Option<f64>) -> Markup {
     let traces = &record.picture.traces;
     let points: Vec<&str> = traces.iter().map(|trace| trace.point.as_str()).collect();
     html! {
-        "The mechanism over one " (if is_whole_turn(record) { "turn" } else { "cycle" }) ". Drag the picture, or use arrow keys, to turn it."
-        @if record.has_play { " Orange: joints with play." }
+        "The mechanism over one " (if record.time_s.is_empty() { "turn" } else { "cycle" }) ". Drag the picture, or use arrow keys, to turn it."
+        @if record.picture.joints.iter().any(|joint| joint.has_play) { " Orange: joints with play." }
         @if !points.is_empty() { " Green: " (if points.len() == 1 { "path" } else { "paths" }) " of " (points.join(", ")) "." }
         @if let Some(magnification) = magnification {
             " Orange zones: where play takes the point to first order, magnified " (magnification) " times; the outlined one is at the largest worst case."

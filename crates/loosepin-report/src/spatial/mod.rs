@@ -8,7 +8,6 @@
 //! | the same as shapes of a picture | `drawing.rs`; axes and ground `signs.rs`, names of joints `names.rs` |
 //! | the picture of a page with its controls, and its data for `scripts/space-scene.ts`; turned by `scripts/space.ts` | `figure.rs` |
 //! | front, side and top on one sheet | `views.rs` |
-//! | whether a motion is one whole turn | `turn.rs` |
 
 mod drawing;
 pub(crate) mod figure;
@@ -17,5 +16,4 @@ mod parts;
 mod placed;
 mod projection;
 mod signs;
-pub(crate) mod turn;
 pub(crate) mod views;

@@ -10,7 +10,7 @@ use super::signs::{AXIS_LETTERS, sheet, triad};
 use crate::charts::figure::Picture;
 use crate::mechanism::shapes::Frame;
 use crate::mechanism::signs::scale;
-use loosepin_result::spatial_motion::SpatialMotionRecord;
+use loosepin_result::motion::MotionRecord;
 use loosepin_result::spatial_picture::PicturePose;
 
 /// Name of the figure.
@@ -40,7 +40,7 @@ fn range(parts: &[Part], poses: &[Vec<PicturePose>], projection: &Projection, ar
 }
 
 /// The three views in the position `sample`; nothing where the record has no poses.
-pub(crate) fn views_figure(record: &SpatialMotionRecord, sample: usize, at: &str) -> Markup {
+pub(crate) fn views_figure(record: &MotionRecord, sample: usize, at: &str) -> Markup {
     let own = &record.picture;
     let Some(poses) = own.poses.get(sample) else { return html! {} };
     let (parts, magnification) = parts(own);

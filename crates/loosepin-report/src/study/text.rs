@@ -1,7 +1,7 @@
 //! The result of a study on a terminal: all of it, or what a first screen has room for.
 
 use crate::medium::article_text::terminal_text;
-use crate::motion::spatial::joints_text;
+use crate::motion::joints_text;
 use crate::numbers::number::NumberWriter;
 use crate::study::answer::{StudyAnswer, answer, verdict_headline};
 use crate::study::sections::{
@@ -31,7 +31,7 @@ pub fn study_text(result: &StudyResult) -> String {
         answers_section(result, writer),
         surrogate_section(result, writer),
         contributors_section(result, writer),
-        result.spatial.as_ref().and_then(|motion| joints_text(motion, &result.outputs)),
+        result.motion.as_ref().and_then(|motion| joints_text(motion, &result.outputs, writer)),
         treatments_section(result, writer),
         Some(runs_section(result, writer)),
     ];

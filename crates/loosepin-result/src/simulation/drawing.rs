@@ -50,6 +50,13 @@ pub struct Drawing {
     pub beams: Vec<DrawnBeam>,
 }
 
+impl Drawing {
+    /// Whether there is nothing to draw.
+    pub fn is_empty(&self) -> bool {
+        self.bodies.is_empty()
+    }
+}
+
 /// How a flexible body bends.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct DrawnBeam {

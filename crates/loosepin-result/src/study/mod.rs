@@ -17,9 +17,9 @@ mod requirement;
 mod surrogate;
 mod verdict;
 
+use crate::motion::MotionRecord;
 use crate::point_path::CyclePaths;
 use crate::repeat::Repeat;
-use crate::spatial_motion::SpatialMotionRecord;
 use serde::{Deserialize, Serialize};
 
 pub use accuracy::{AccuracyOutcome, AccuracyRecord, AccuracyStep, AccuracyStop, Budget};
@@ -173,10 +173,10 @@ pub struct StudyResult {
     /// is a path, and in records of older versions.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub paths: Option<CyclePaths>,
-    /// Of a mechanism in space: its motion without dynamics, unknown clearances where there is most play, with what each joint contributes and
-    /// the mechanism as it is drawn.
+    /// Of a study without runs in time: the motion without dynamics, unknown clearances where there is most play, with what each joint contributes
+    /// and the mechanism as it is drawn.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub spatial: Option<SpatialMotionRecord>,
+    pub motion: Option<MotionRecord>,
     /// The mechanism and its poses.
     pub drawing: Drawing,
 }

@@ -25,6 +25,7 @@ use loosepin_result::motion::{
 use loosepin_result::repeat::Repeat;
 use loosepin_result::round_off::round_off_si;
 use loosepin_result::simulation::Override;
+use loosepin_result::spatial_picture::SpatialPicture;
 use loosepin_text::units::{DisplayUnits, SiUnit};
 use std::f64::consts::{PI, TAU};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -232,8 +233,10 @@ fn motion_with(
         is_proven_between_angles,
         drive: input.name,
         repeat: Repeat::default(),
+        remarks: Vec::new(),
         display_units: mechanism.model.shown_in(DisplayUnits::default()),
         drive_angle_rad,
+        time_s: Vec::new(),
         outputs: recorder.outputs,
         paths,
         // Without masses nothing is known of them.
@@ -245,6 +248,7 @@ fn motion_with(
         allowances: Vec::new(),
         asked,
         drawing,
+        picture: SpatialPicture::default(),
     })
 }
 
@@ -322,7 +326,7 @@ impl<'a> Recorder<'a> {
         let contributors = mechanism.plays.iter().zip(&sample.plays).map(|(joint, play)| JointContributor {
             joint: model.play_name(*joint).to_owned(),
             radial_clearance_m: play.clearance_m,
-            first_order_si: Vec::new(),
+            ..JointContributor::default()
         });
         let clearance = ClearanceAnswer { contributors: contributors.collect(), ..ClearanceAnswer::default() };
         let dimensional_contributors: Vec<DimensionContributor> = directions

@@ -13,6 +13,5 @@ pub(crate) mod flight;
 pub(crate) mod history;
 pub(crate) mod motion_table;
 pub(crate) mod report;
-pub(crate) mod spatial_motion_table;
 pub(crate) mod tables;
 pub(crate) mod work;

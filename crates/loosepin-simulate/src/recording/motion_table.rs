@@ -4,8 +4,8 @@ use crate::recording::tables::{self, HistoryColumn, table, unit_suffix};
 use loosepin_result::motion::MotionRecord;
 use loosepin_text::units::SiUnit;
 
-/// The columns of `motion.csv`: the angle of the drive; each output with its rates, then its deviations by play and its standard deviation
-/// by scatter; each path; transmission angles; mechanical advantages. What a record does not have has no column.
+/// The columns of `motion.csv`: the angle of the drive, or the time where that is the input; each output with its rates, then its deviations by
+/// play and its standard deviation by scatter; each path; transmission angles; mechanical advantages. What a record does not have has no column.
 pub fn motion_columns<'r>(record: &'r MotionRecord) -> Vec<HistoryColumn<'r>> {
     let mut columns = Vec::new();
     let mut add = |name: &str, what: &str, unit: &'static str, values_si: &'r [f64]| {
@@ -18,12 +18,19 @@ pub fn motion_columns<'r>(record: &'r MotionRecord) -> Vec<HistoryColumn<'r>> {
             );
         }
     };
-    add(&record.drive, "", "rad", &record.drive_angle_rad);
+    match &record.time_s[..] {
+        [] => add(&record.drive, "", "rad", &record.drive_angle_rad),
+        times_s => add(&record.drive, "", "s", times_s),
+    }
     for output in &record.outputs {
         let units = if output.unit == SiUnit::ANGLE { ["rad", "rad/s", "rad/s^2"] } else { ["m", "m/s", "m/s^2"] };
         add(&output.name, "", units[0], &output.value_si);
         add(&output.name, "_velocity", units[1], &output.velocity_si);
         add(&output.name, "_acceleration", units[2], &output.acceleration_si);
+        if !output.clearance.searched.is_empty() {
+            add(&output.name, "_first_order_worst_case", units[0], &output.clearance.first_order_si);
+            add(&output.name, "_standard_deviation", units[0], &output.clearance.disc_standard_deviation_si);
+        }
         add(&output.name, "_play_lowest", units[0], &output.clearance.lowest_si);
         add(&output.name, "_play_highest", units[0], &output.clearance.highest_si);
         add(&output.name, "_scatter_standard_deviation", units[0], &output.dimensional_standard_deviation_si);

@@ -6,6 +6,7 @@ use crate::closure::singular::{RANK_THRESHOLD, ratio};
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::mobility::idle::{IdleMotion, idle_motions};
 use loosepin_math::SingularValues;
+use loosepin_text::units::counted_or_no;
 
 /// The part of a joint in a combination of rows that is always met.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -51,6 +52,30 @@ pub struct Mobility {
     pub undriven_freedoms: usize,
     /// Parts that move alone with all drives held.
     pub idle: Vec<IdleMotion>,
+}
+
+impl Mobility {
+    /// Degrees of freedom, drives, and whether they determine the motion: `1 degree of freedom, 1 drive: the motion is determined`.
+    pub fn words(&self) -> String {
+        format!(
+            "{}, {}: {}",
+            counted_or_no(self.degrees_of_freedom, "degree of freedom", "degrees of freedom"),
+            counted_or_no(self.drives, "drive", "drives"),
+            self.determined()
+        )
+    }
+
+    fn determined(&self) -> String {
+        let repeated = self.repeated_drives;
+        match (self.undriven_freedoms, repeated) {
+            (0, 0) => "the motion is determined".to_owned(),
+            (0, _) => format!(
+                "{} what the joints or other drives hold",
+                if repeated == 1 { "a drive repeats" } else { "drives repeat" }
+            ),
+            (free, _) => format!("{} without a drive", counted_or_no(free, "freedom is left", "freedoms are left")),
+        }
+    }
 }
 
 /// Mobility in a closed position.

@@ -40,6 +40,14 @@ impl CycleInput {
         (0..=self.samples).map(|sample| self.turn_s * sample as f64 / self.samples as f64).collect()
     }
 
+    /// Entries of the times in the order in which the input increases: a drive may run backwards.
+    pub fn ascending<T>(&self, mut entries: Vec<T>) -> Vec<T> {
+        if self.rate < 0.0 {
+            entries.reverse();
+        }
+        entries
+    }
+
     /// The input at a time.
     pub fn at(&self, time_s: f64) -> f64 {
         self.start + self.rate * time_s

@@ -8,7 +8,7 @@
 //! | errors of manufacture | `misalignment.rs` |
 //! | tables | `read.rs` (the file), `body.rs`, `joint.rs`, `drive.rs` (with the cycle), `output.rs`, `assembly.rs` |
 //! | from values to a mechanism; where its bodies start | `compile.rs`; `placing.rs` |
-//! | its motion over a turn, with worst cases | `over_turn.rs` |
+//! | its motion over a turn, with worst cases; what play does to an output | `over_turn.rs`; `course.rs` |
 //! | what random dimensions do to it | `scatter.rs` |
 //! | numbers that are round-off | `round_off.rs` |
 //! | whether its parts fit | `fit.rs` |
@@ -20,6 +20,7 @@
 mod assembly;
 mod body;
 mod compile;
+mod course;
 mod direction;
 mod drawn;
 mod drive;
@@ -51,4 +52,4 @@ pub use parts::{
 };
 pub use problem::{SpatialModelError, SpatialModelProblem, SpatialMotionProblem};
 pub use read::{is_spatial, spatial_model_schema};
-pub use scatter::SpatialScatterPlan;
+pub use scatter::{SpatialScatter, SpatialScatterPlan};

@@ -16,13 +16,22 @@ use crate::sampling::{PartOfOutput, SampledPart, SamplingError, TurnSampler};
 use crate::stop::IsStopped;
 use loosepin_result::motion::DimensionContributor;
 use loosepin_result::round_off::round_off_si;
-use loosepin_result::spatial_motion::SpatialScatter;
 use loosepin_text::diagnostics::Diagnostics;
 use loosepin_text::document::describe_path;
 use loosepin_text::numbers::{QuantityId, Values};
 
 /// Step of a difference, in standard deviations: the error of the formula is of its square, that of the closed loops of its inverse.
 const STEP: f64 = 1e-2;
+
+/// What random dimensions do to an output over the turn, to first order; of a path the root of the mean square of the displacement. Empty where
+/// none is random.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct SpatialScatter {
+    /// Standard deviation at each position.
+    pub standard_deviation_si: Vec<f64>,
+    /// That of each random quantity alone.
+    pub contributors: Vec<DimensionContributor>,
+}
 
 /// Random dimensions of a model in space.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -48,7 +57,14 @@ impl SpatialModel {
         let values = self.values_of(&plan.set)?;
         let input = self.cycle_input(&values).map_err(|error| self.diagnostic(&error))?;
         let turns: Vec<f64> = (0..=input.samples).map(|sample| sample as f64 / input.samples as f64).collect();
-        self.scatter_at(plan, &turns, is_stopped)
+        let mut found = self.scatter_at(plan, &turns, is_stopped)?;
+        for own in &mut found {
+            let contributors = own.contributors.iter_mut().map(|own| &mut own.standard_deviation_si);
+            for values in [&mut own.standard_deviation_si].into_iter().chain(contributors) {
+                *values = input.ascending(std::mem::take(values));
+            }
+        }
+        Ok(found)
     }
 
     /// The same at other places: turns of the cycle since time zero, ascending.

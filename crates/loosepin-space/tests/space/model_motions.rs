@@ -1,6 +1,6 @@
 //! Motions of models in files, with their worst cases, against independent programs.
 
-use loosepin_result::spatial_motion::{SpatialMotionRecord, SpatialOutputRecord};
+use loosepin_result::motion::{MotionRecord, OutputMotion};
 use loosepin_space::SpatialModel;
 
 const SLIDER_CRANK: &str = include_str!("../../../../docs/examples/spatial-slider-crank.toml");
@@ -60,7 +60,7 @@ along = "z"
 path_of = "rod.tip"
 "#;
 
-fn record(text: &str) -> SpatialMotionRecord {
+fn record(text: &str) -> MotionRecord {
     let model = SpatialModel::from_text("model.toml", text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let found = model.motion_record_until(&model.quantities.nominal(), true, &|| false);
     found.unwrap_or_else(|diagnostics| panic!("{diagnostics}"))
@@ -71,15 +71,20 @@ fn assert_close(found: f64, expected: f64, tolerance: f64) {
 }
 
 /// The parts of all joints make the worst case; what each does alone is at most its part, and all of it at least.
-fn assert_parts(output: &SpatialOutputRecord) {
-    let parts: f64 = output.worst.contributors.iter().map(|own| own.part_si).sum();
-    assert_close(parts, output.first_order_si[output.worst.sample], 1e-9);
-    for own in &output.worst.contributors {
-        let [lean, axial] = [own.lean_si, own.axial_si].map(|own| own.unwrap_or(0.0));
-        let radial = own.part_si - axial;
-        let slack = 1e-9 * own.part_si;
-        assert!(own.offset_si <= radial + slack && lean <= radial + slack, "{own:?}");
-        assert!(own.offset_si + lean + axial + slack >= own.part_si, "{own:?}");
+fn assert_parts(output: &OutputMotion) {
+    let answer = &output.clearance;
+    for (position, worst) in answer.first_order_si.iter().enumerate() {
+        let parts: f64 = answer.contributors.iter().map(|own| own.first_order_si[position]).sum();
+        // Of a vector, the direction of the longest one is found by a search.
+        assert_close(parts, *worst, 1e-9);
+        for own in &answer.contributors {
+            let at = |effect_si: &[f64]| effect_si.get(position).copied().unwrap_or(0.0);
+            let [part, offset, lean, axial] =
+                [&own.first_order_si, &own.offset_si, &own.lean_si, &own.axial_si].map(|effect_si| at(effect_si));
+            let (radial, slack) = (part - axial, 1e-9 * part + 1e-15);
+            assert!(offset <= radial + slack && lean <= radial + slack, "{position} {own:?}");
+            assert!(offset + lean + axial + slack >= part, "{position} {own:?}");
+        }
     }
 }
 
@@ -97,24 +102,26 @@ fn peer_worst_cases_of_the_slider_crank_of_the_file() {
         (0.00100051991956, 0.0003085947999),
         (0.00100158563062, 0.0003080516732),
     ];
-    assert_eq!(output.first_order_si.len(), rows.len());
+    assert_eq!(output.clearance.first_order_si.len(), rows.len());
     for (sample, (worst, sigma)) in rows.into_iter().enumerate() {
-        assert_close(record.inputs_si[sample], std::f64::consts::FRAC_PI_3 * sample as f64, 1e-14);
-        assert_close(output.first_order_si[sample], worst, 2e-11);
-        assert_close(output.standard_deviation_si[sample], sigma, 1e-9);
+        assert_close(record.drive_angle_rad[sample], std::f64::consts::FRAC_PI_3 * sample as f64, 1e-14);
+        assert_close(output.clearance.first_order_si[sample], worst, 2e-11);
+        assert_close(output.clearance.disc_standard_deviation_si[sample], sigma, 1e-9);
     }
     // The largest of these is at 240 deg; there the exact ones.
-    assert_eq!(output.worst.sample, 4);
-    assert_close(output.worst.largest_si, 0.00100536901271, 2e-11);
-    assert_close(output.worst.smallest_si, -0.00100000415992, 2e-11);
-    assert_eq!(output.worst.conditions, 0);
+    let [searched] = output.clearance.searched.as_slice() else { panic!("one position") };
+    assert_eq!(searched.position, 4);
+    let [smallest, largest] = searched.found_si;
+    assert_close(largest, 0.00100536901271, 2e-11);
+    assert_close(smallest, -0.00100000415992, 2e-11);
+    assert_eq!(searched.conditions, 0);
     // The proven ends are outside these numbers of an independent program, and near.
-    let [above, below] = [output.worst.proven_largest_si.unwrap(), output.worst.proven_smallest_si.unwrap()];
+    let [below, above] = searched.proven_si.unwrap();
     assert!(above > 0.00100536901271 && above < 1.002 * 0.00100536901271, "{above}");
     assert!(below < -0.00100000415992 && below > -1.002 * 0.00100000415992, "{below}");
     assert_parts(output);
     // The axial clearance moves the slider along with it: gain 1.
-    assert_close(output.worst.contributors[0].axial_si.unwrap(), 2e-4, 1e-9);
+    assert_close(output.clearance.contributors[0].axial_si[4], 2e-4, 1e-9);
 }
 
 #[test]
@@ -122,16 +129,20 @@ fn peer_worst_cases_of_an_overconstrained_loop() {
     let record = record(LEANING);
     let [slider, tip, path] = record.outputs.as_slice() else { panic!("three outputs") };
     // At 60 deg; independent programs, which minimise numerically for the second.
-    assert_close(slider.first_order_si[0], 0.000214448184772, 2e-11);
-    assert_close(tip.first_order_si[0], 5.00000000063e-05, 1e-9);
-    assert!(record.outputs.iter().all(|output| output.standard_deviation_si.is_empty()));
+    assert_close(slider.clearance.first_order_si[0], 0.000214448184772, 2e-11);
+    assert_close(tip.clearance.first_order_si[0], 5.00000000063e-05, 1e-9);
+    assert!(record.outputs.iter().all(|output| output.clearance.disc_standard_deviation_si.is_empty()));
     for output in &record.outputs {
-        assert_eq!(output.worst.conditions, 1);
-        assert_eq!((output.worst.proven_largest_si, output.worst.proven_smallest_si), (None, None));
+        let searched = &output.clearance.searched[0];
+        assert_eq!(searched.conditions, 1);
+        assert_eq!(searched.proven_si, Some([f64::NEG_INFINITY, f64::INFINITY]));
         assert_parts(output);
     }
     // A path is displaced at least as far as in one direction, and has no number of its own.
-    assert!(path.ideal_si.is_empty() && path.first_order_si.iter().zip(&tip.first_order_si).all(|(a, b)| a >= b));
+    assert!(
+        path.value_si.is_empty()
+            && path.clearance.first_order_si.iter().zip(&tip.clearance.first_order_si).all(|(a, b)| a >= b)
+    );
 }
 
 #[test]
@@ -181,7 +192,7 @@ position_of = "nut.o"
 along = "z"
 "#,
     );
-    let [first, .., last] = record.outputs[0].ideal_si.as_slice() else { panic!("thirteen positions") };
+    let [first, .., last] = record.outputs[0].value_si.as_slice() else { panic!("thirteen positions") };
     assert_close(*first, 0.02 * 740.0 / 360.0, 1e-10);
     assert_close(*last, 0.02 * 1100.0 / 360.0, 1e-10);
 }
@@ -231,12 +242,30 @@ fn a_loop_of_rounded_numbers_has_exact_worst_cases() {
     );
     let output = &record(&text).outputs[0];
     // Without axial play nothing reaches the row along the axis.
-    assert_eq!(output.worst.conditions, 2);
-    let first_order = output.first_order_si[output.worst.sample];
+    let searched = &output.clearance.searched[0];
+    assert_eq!(searched.conditions, 2);
+    let first_order = output.clearance.first_order_si[searched.position];
     assert!(first_order > 1e-5);
-    assert_close(output.worst.contributors[0].offset_si, first_order, 1e-9);
-    assert_close(output.worst.largest_si, first_order, 1e-2);
-    assert_close(-output.worst.smallest_si, first_order, 1e-2);
+    assert_close(output.clearance.contributors[0].offset_si[searched.position], first_order, 1e-9);
+    assert_close(searched.found_si[1], first_order, 1e-2);
+    assert_close(-searched.found_si[0], first_order, 1e-2);
+}
+
+/// A drive that runs backwards goes through the same positions: records have them by increasing angle, whichever way they are gone through.
+#[test]
+fn identity_a_drive_that_runs_backwards_has_the_same_record_by_increasing_angle() {
+    let forward = record(SLIDER_CRANK);
+    let backward = record(&SLIDER_CRANK.replace("\"60 rpm\"", "\"-60 rpm\""));
+    let turn = std::f64::consts::TAU;
+    let [own, other] = [&forward.outputs[0], &backward.outputs[0]];
+    assert!(backward.drive_angle_rad.windows(2).all(|pair| pair[0] < pair[1]));
+    for (position, angle_rad) in backward.drive_angle_rad.iter().enumerate() {
+        assert!((angle_rad + turn - forward.drive_angle_rad[position]).abs() < 1e-12, "{angle_rad}");
+        assert_close(other.value_si[position], own.value_si[position], 1e-10);
+        assert_close(other.clearance.first_order_si[position], own.clearance.first_order_si[position], 1e-9);
+    }
+    assert_eq!(own.clearance.searched[0].position, other.clearance.searched[0].position);
+    assert_close(other.clearance.searched[0].found_si[1], own.clearance.searched[0].found_si[1], 1e-9);
 }
 
 #[test]

@@ -76,22 +76,23 @@ fn analytic_leans_of_two_pins_add_up_across_both_axes() {
     let record = model.motion_record_until(&model.quantities.nominal(), true, &|| false);
     let record = record.unwrap_or_else(|found| panic!("{found}"));
     let [output] = record.outputs.as_slice() else { panic!("one output") };
-    assert!(output.ideal_si.is_empty());
+    assert!(output.value_si.is_empty());
     assert_eq!((output.words.as_str(), output.unit.clone()), ("rotation of tool", loosepin_text::units::SiUnit::ANGLE));
-    let [first, second] = LEANS;
-    for (worst, deviation) in output.first_order_si.iter().zip(&output.standard_deviation_si) {
+    let ([first, second], answer) = (LEANS, &output.clearance);
+    for (worst, deviation) in answer.first_order_si.iter().zip(&answer.disc_standard_deviation_si) {
         assert_close(*worst, first + second, 1e-12);
         // Both ends anywhere in their circles: c²/4 along each direction, so that a lean has (c/l)².
         assert_close(*deviation, (0.5 * first).hypot(0.5 * second), 1e-12);
     }
     // About an axis across both pins, each lean is a rotation by atan 2c/l.
     let about = first.atan() + second.atan();
-    let worst = &output.worst;
-    assert_close(worst.largest_si, about, THIRD_ORDER);
-    assert_close(worst.smallest_si, -about, THIRD_ORDER);
-    let proven = worst.proven_largest_si.unwrap();
-    assert!(proven >= worst.largest_si && proven < about + SECOND_ORDER, "{proven}");
-    let parts: Vec<f64> = worst.contributors.iter().map(|own| own.part_si).collect();
+    let searched = &answer.searched[0];
+    let [smallest, largest] = searched.found_si;
+    assert_close(largest, about, THIRD_ORDER);
+    assert_close(smallest, -about, THIRD_ORDER);
+    let [_, proven] = searched.proven_si.unwrap();
+    assert!(proven >= largest && proven < about + SECOND_ORDER, "{proven}");
+    let parts: Vec<f64> = answer.contributors.iter().map(|own| own.first_order_si[searched.position]).collect();
     assert_close(parts[0], first, 1e-12);
     assert_close(parts[1], second, 1e-12);
 }

@@ -1,13 +1,13 @@
 //! Geometry of pictures against closed forms and the positions of the kernel.
 
-use loosepin_result::spatial_motion::SpatialMotionRecord;
+use loosepin_result::motion::MotionRecord;
 use loosepin_result::spatial_picture::{PictureElement, PictureRole, PictureShape};
 use loosepin_space::{Pose, Quaternion, SpatialModel, Vec3};
 
 const SLIDER_CRANK: &str = include_str!("../../../../docs/examples/spatial-slider-crank.toml");
 const FOUR_BAR: &str = include_str!("../../../../docs/examples/rssr-four-bar.toml");
 
-fn record(text: &str) -> SpatialMotionRecord {
+fn record(text: &str) -> MotionRecord {
     let model = SpatialModel::from_text("model.toml", text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     model.motion_record(&model.quantities.nominal()).unwrap_or_else(|diagnostics| panic!("{diagnostics}"))
 }
@@ -16,16 +16,12 @@ fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     (Vec3::from(a) - Vec3::from(b)).length()
 }
 
-fn elements<'r>(
-    record: &'r SpatialMotionRecord,
-    role: PictureRole,
-    of: &'r str,
-) -> impl Iterator<Item = &'r PictureElement> {
+fn elements<'r>(record: &'r MotionRecord, role: PictureRole, of: &'r str) -> impl Iterator<Item = &'r PictureElement> {
     record.picture.elements.iter().filter(move |element| element.role == role && element.of == of)
 }
 
 /// The ends of a bar in the ground, in a position.
-fn bar(record: &SpatialMotionRecord, of: &str, sample: usize) -> [[f64; 3]; 2] {
+fn bar(record: &MotionRecord, of: &str, sample: usize) -> [[f64; 3]; 2] {
     let element = elements(record, PictureRole::Bar, of).next().unwrap();
     let PictureShape::Line { points_m } = &element.shape else { panic!("{element:?}") };
     let pose = &record.picture.poses[sample][element.body];
@@ -47,8 +43,8 @@ fn identity_a_pose_of_a_picture_moves_points_as_the_kernel_does() {
 #[test]
 fn analytic_bars_stand_where_the_slider_crank_is() {
     let record = record(SLIDER_CRANK);
-    assert_eq!(record.picture.poses.len(), record.inputs_si.len());
-    for (sample, angle) in record.inputs_si.iter().enumerate() {
+    assert_eq!(record.picture.poses.len(), record.drive_angle_rad.len());
+    for (sample, angle) in record.drive_angle_rad.iter().enumerate() {
         // The crank turns about x at (0, 100, 120) mm, straight up at 0.
         let pin = [0.0, 0.1 - 0.08 * angle.sin(), 0.12 + 0.08 * angle.cos()];
         let slider = [(0.09 - pin[1] * pin[1] - pin[2] * pin[2]).sqrt(), 0.0, 0.0];
@@ -113,13 +109,13 @@ fn identity_a_zone_reaches_as_far_as_the_worst_case_of_first_order() {
     let record = record(SLIDER_CRANK);
     let trace = &record.picture.traces[0];
     for zone in &trace.zones {
-        let worst = record.outputs[0].first_order_si[zone.sample];
+        let worst = record.outputs[0].clearance.first_order_si[zone.sample];
         let reach = zone.boundary_m.iter().map(|own| own[0]).fold(0.0, f64::max);
         let across = zone.boundary_m.iter().map(|own| own[1].hypot(own[2])).fold(0.0, f64::max);
         assert!((reach - worst).abs() < 1e-12 * worst && across < 1e-12, "{reach} {worst} {across}");
     }
     let worst = &trace.zones[trace.worst_zone.unwrap()];
-    assert_eq!(worst.sample, record.outputs[0].worst.sample);
+    assert_eq!(worst.sample, record.outputs[0].clearance.searched[0].position);
     // The rocker turns about its axis: no point is an output, so the paths are those of the joints between moving bodies, without zones.
     let four_bar = self::record(FOUR_BAR);
     let points: Vec<&str> = four_bar.picture.traces.iter().map(|trace| trace.point.as_str()).collect();

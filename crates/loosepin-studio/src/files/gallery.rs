@@ -3,8 +3,7 @@
 use std::sync::atomic::AtomicBool;
 
 use loosepin::diagnostics::Severity;
-use loosepin::report::{MovingDrawing, SpaceDrawing, moving_drawing, spatial_motion_drawing};
-use loosepin::study::InputFile;
+use loosepin::report::{MovingDrawing, SpaceDrawing, motion_drawing, moving_drawing};
 use loosepin::templates::{Template, all_templates};
 use serde::Serialize;
 
@@ -41,22 +40,16 @@ fn card(folder: &Folder, template: &Template) -> TemplateCard {
     let model = SentText { path: "model.toml".to_owned(), text: template.model.to_owned() };
     let texts = Texts::sent(folder, &Look::of(model, None, POSITIONS));
     let file = texts.read().ok();
-    let record = file.as_ref().and_then(|file| file.ideal_motion(POSITIONS, &[]).ok());
-    let driven = record.and_then(|record| moving_drawing(&record.drawing, &record.drive));
+    let record = file.as_ref().and_then(|file| file.drawn_motion(POSITIONS).ok());
+    let (driven, space) = record.map_or((None, None), |record| motion_drawing(&record));
     let controlled = || moving_drawing(&file.as_ref()?.controlled_drawing(POSITIONS)?, "the cycle");
     TemplateCard {
         name: template.name,
         title: template.description(),
         words: template.paragraph(),
         drawing: driven.or_else(controlled),
-        space: file.as_ref().and_then(space_drawing),
+        space,
     }
-}
-
-fn space_drawing(file: &InputFile) -> Option<SpaceDrawing> {
-    let model = file.model().spatial()?;
-    // A template is known to be short.
-    spatial_motion_drawing(&model.drawn_motion_until(&model.quantities.nominal(), &|| false).ok()?)
 }
 
 /// A model or study of the folder as the page shows it.

@@ -5,7 +5,9 @@ use std::time::{Duration, Instant};
 
 use loosepin::diagnostics::Diagnostics;
 use loosepin::model::Model;
-use loosepin::report::{CurveKey, live_bands, live_curve, live_curves, live_paths, motion_sentences, moving_drawing};
+use loosepin::report::{
+    CurveKey, live_bands, live_curve, live_curves, live_paths, motion_drawing, motion_sentences, moving_drawing,
+};
 use loosepin::result::kinematics::LoopProperties;
 use loosepin::result::motion::MotionRecord;
 use loosepin::result::simulation::{Drawing, DrawnBody, DrawnJoint, DrawnPoint};
@@ -17,11 +19,13 @@ use crate::drawing::forces::forces;
 use crate::drawing::still::{NamedPoses, placed, still_drawing};
 use crate::edit::{DragOutcome, gripped, kept_closure, nearest, refused_drag, why_not};
 use crate::files::folder::Folder;
-use crate::messages::{BodyView, JointView, Look, LookAnswer, Outline, OutputView, PinView, PointView, View};
+use crate::messages::{
+    BodyView, JointView, Look, LookAnswer, Outline, OutputView, PinView, PointView, QuantityView, View,
+};
 use crate::view::diagnostics::diagnostic_views;
 use crate::view::limits::banded_limits;
 use crate::view::quantities::quantities;
-use crate::view::space_view::space_view;
+use crate::view::space_view::{seen_motion, space_outline};
 use crate::view::texts::Texts;
 use crate::view::title::title;
 
@@ -81,9 +85,12 @@ fn seen_after(
     let view = file.ok().and_then(|file| {
         file.warnings().iter().for_each(|warning| diagnostics.push(warning.clone()));
         if let Some(model) = file.model().spatial() {
-            let (view, found) = space_view(&file, model, &texts, stop);
+            let (record, found) = seen_motion(&file, model, stop);
             diagnostics.extend(found);
-            return view;
+            return record.map(|record| {
+                let mechanism = (space_outline(model, outputs(&record)), quantities(&model.quantities, &texts));
+                view(&file, &record, mechanism, look.curve.as_ref(), &texts)
+            });
         }
         let model = file.model().planar()?;
         let positions = look.positions.clamp(POSITIONS[0], POSITIONS[1]);
@@ -92,7 +99,9 @@ fn seen_after(
                 if let (Some(reshaped), Some(drag)) = (&mut reshaped, drag) {
                     reshaped.angle_deg = nearest(drag, &record.drawing).map(|found| found.angle_deg);
                 }
-                let view = view((&file, model), &record, look.curve.as_ref(), &texts);
+                let outline = outline(model, &record.drawing, outputs(&record), &record.kinematics.loops);
+                let mechanism = (outline, quantities(&model.quantities, &texts));
+                let view = view(&file, &record, mechanism, look.curve.as_ref(), &texts);
                 drawing = Some(record.drawing);
                 Some(view)
             }
@@ -133,23 +142,30 @@ fn known_points(model: &Model, names: &[String]) -> Vec<String> {
     known.take(MAX_TRACED).cloned().collect()
 }
 
-fn view((file, model): (&InputFile, &Model), record: &MotionRecord, curve: Option<&CurveKey>, texts: &Texts) -> View {
+fn view(
+    file: &InputFile,
+    record: &MotionRecord,
+    (outline, quantities): (Outline, Vec<QuantityView>),
+    curve: Option<&CurveKey>,
+    texts: &Texts,
+) -> View {
     let (lines, limits) = banded_limits(file, texts);
+    let (drawing, space) = motion_drawing(record);
     View {
         title: title(file),
         mobility: record.mobility.clone(),
         incomplete: None,
         sentences: motion_sentences(record),
-        drawing: moving_drawing(&record.drawing, &record.drive),
-        space: None,
+        drawing,
+        space,
         bands: live_bands(record, &lines),
         paths: live_paths(record),
         curves: live_curves(record),
         curve: curve.and_then(|wanted| live_curve(record, wanted)),
         drive_range_deg: drive_range_deg(record),
         limits,
-        outline: outline(model, &record.drawing, outputs(record), &record.kinematics.loops),
-        quantities: quantities(&model.quantities, texts),
+        outline,
+        quantities,
     }
 }
 

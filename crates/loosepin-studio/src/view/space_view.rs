@@ -2,65 +2,34 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use loosepin::check::mobility_in_space;
 use loosepin::diagnostics::Diagnostics;
-use loosepin::report::{live_spatial_bands, spatial_motion_drawing, spatial_motion_sentences};
-use loosepin::result::spatial_motion::SpatialMotionRecord;
+use loosepin::result::motion::MotionRecord;
 use loosepin::space::{ModelJoint, SpatialModel};
 use loosepin::study::InputFile;
 use loosepin::units::{Dimension, format_value};
 
-use super::limits::banded_limits;
-use super::quantities::quantities;
-use super::texts::Texts;
-use super::title::title;
-use crate::messages::{BodyView, JointView, Outline, OutputView, View};
+use crate::messages::{BodyView, JointView, Outline, OutputView};
 
-/// The view, and what is wrong although there is one: the motion without what scatters, where that has no answer. Where `stop` is set, it
+/// The motion, and what is wrong although there is one: it is without what scatters, where that has no answer. Where `stop` is set, it
 /// comes to its end soon, and is good for nothing.
-pub fn space_view(
-    file: &InputFile,
-    model: &SpatialModel,
-    texts: &Texts,
-    stop: &AtomicBool,
-) -> (Option<View>, Diagnostics) {
+pub fn seen_motion(file: &InputFile, model: &SpatialModel, stop: &AtomicBool) -> (Option<MotionRecord>, Diagnostics) {
     let is_stopped = || stop.load(Ordering::Relaxed);
     match file.play_in_space(model, &[], false, &is_stopped) {
         Ok(mut record) => {
             let found = file.add_scatter(model, &[], &mut record, &is_stopped).err().unwrap_or_default();
-            (Some(view(file, model, &record, texts)), found)
+            (Some(record), found)
         }
         Err(found) => (None, found),
     }
 }
 
-fn view(file: &InputFile, model: &SpatialModel, record: &SpatialMotionRecord, texts: &Texts) -> View {
-    let (lines, limits) = banded_limits(file, texts);
-    View {
-        title: title(file),
-        mobility: mobility_in_space(model).unwrap_or_default(),
-        incomplete: None,
-        sentences: spatial_motion_sentences(record),
-        drawing: None,
-        space: spatial_motion_drawing(record),
-        bands: live_spatial_bands(record, &lines),
-        paths: Vec::new(),
-        curves: Vec::new(),
-        curve: None,
-        drive_range_deg: None,
-        limits,
-        outline: outline(model, record),
-        quantities: quantities(&model.quantities, texts),
-    }
-}
-
-fn outline(model: &SpatialModel, record: &SpatialMotionRecord) -> Outline {
-    let outputs = record.outputs.iter();
+/// What it consists of.
+pub fn space_outline(model: &SpatialModel, outputs: Vec<OutputView>) -> Outline {
     Outline {
         bodies: model.bodies.iter().skip(1).map(|body| body.name.clone()).collect(),
         joints: model.joints.iter().map(|joint| seen_joint(model, joint)).collect(),
         drives: model.drives.iter().map(|drive| drive.name.clone()).collect(),
-        outputs: outputs.map(|own| OutputView { name: own.name.clone(), words: own.words.clone() }).collect(),
+        outputs,
         forces: Vec::new(),
         parts: model.bodies.iter().map(|body| BodyView { name: body.name.clone(), points: Vec::new() }).collect(),
         dimensions: Vec::new(),

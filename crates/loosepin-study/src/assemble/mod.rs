@@ -77,7 +77,7 @@ pub(super) fn assemble(found: &Found, material: &Material<'_>, input_hash: &str,
         nominal_trust: pictures.nominal_trust,
         orbits: pictures.orbits,
         paths: paths::paths(study),
-        spatial: spatial::spatial(study),
+        motion: spatial::spatial(study),
         drawing: pictures.drawing,
     }
 }

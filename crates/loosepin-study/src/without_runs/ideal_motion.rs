@@ -3,25 +3,35 @@
 use crate::without_runs::judge::{Judgement, judge};
 use crate::written::input_file::InputFile;
 use loosepin_mechanics::mechanism::Mechanism;
-use loosepin_mechanics::model::Values;
 use loosepin_result::motion::MotionRecord;
 use loosepin_result::simulation::Drawing;
 use loosepin_simulate::accuracy::{
-    AccuracyError, AskedPose, MotionPlan, Scatter, ScatterCorrelation, motion_until, motion_with_worst_cases_until,
+    AskedPose, MotionPlan, Scatter, ScatterCorrelation, motion_until, motion_with_worst_cases_until,
 };
 use loosepin_simulate::controlled_drawing;
 use loosepin_simulate::record::Override;
 use loosepin_text::diagnostics::Diagnostics;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 impl InputFile {
-    /// The ideal motion over one turn in `positions` steps, with the quasi-static answer to first order; `set` are settings `path=value`. Clearances
+    /// The ideal motion over one turn in `positions` steps, in space in those of its file, with the quasi-static answer to first order; `set` are settings `path=value`. Clearances
     /// that are uncertain in a study are taken where there is most play, other random inputs by their standard deviation.
     ///
     /// # Errors
     /// A setting that the model does not take; a mechanism that cannot be assembled, or is not driven.
     pub fn ideal_motion(&self, positions: usize, set: &[String]) -> Result<MotionRecord, Diagnostics> {
         self.ideal_motion_until(positions, set, &[], &AtomicBool::new(false))
+    }
+
+    /// The same to be drawn: in space without outputs and what play does to them.
+    ///
+    /// # Errors
+    /// As for [`Self::ideal_motion`].
+    pub fn drawn_motion(&self, positions: usize) -> Result<MotionRecord, Diagnostics> {
+        match self.model().spatial() {
+            Some(model) => model.drawn_motion_until(&model.quantities.nominal(), &|| false),
+            None => self.ideal_motion(positions, &[]),
+        }
     }
 
     /// As [`Self::ideal_motion`], with the paths of the points called `paths`.
@@ -43,7 +53,7 @@ impl InputFile {
         paths: &[String],
         stop: &AtomicBool,
     ) -> Result<MotionRecord, Diagnostics> {
-        self.moved(positions, set, paths, &|mechanism, values, plan| motion_until(mechanism, values, plan, stop))
+        self.moved(positions, set, paths, false, stop)
     }
 
     /// As [`Self::ideal_motion`], with worst cases of the play, the largest found and proven ends, with the requirements of a study
@@ -58,10 +68,7 @@ impl InputFile {
         paths: &[String],
         stop: &AtomicBool,
     ) -> Result<MotionRecord, Diagnostics> {
-        let motion = |mechanism: &Mechanism, values: &Values, plan: &MotionPlan| {
-            motion_with_worst_cases_until(mechanism, values, plan, stop)
-        };
-        let mut record = self.moved(positions, set, paths, &motion)?;
+        let mut record = self.moved(positions, set, paths, true, stop)?;
         if let InputFile::Study(study) = self {
             let Judgement { requirements, allowances } = judge(study, positions, set, stop)?;
             (record.requirements, record.allowances) = (requirements, allowances);
@@ -74,8 +81,13 @@ impl InputFile {
         positions: usize,
         set: &[String],
         paths: &[String],
-        motion: &dyn Fn(&Mechanism, &Values, &MotionPlan) -> Result<MotionRecord, AccuracyError>,
+        has_worst_cases: bool,
+        stop: &AtomicBool,
     ) -> Result<MotionRecord, Diagnostics> {
+        if let Some(model) = self.model().spatial() {
+            let is_stopped = || stop.load(Ordering::Relaxed);
+            return self.moved_in_space(model, set, paths, has_worst_cases, &is_stopped);
+        }
         let model = self.model().demand_planar()?;
         let settings = self.with_widest_play(set);
         let set = model.set_values(&settings)?;
@@ -90,7 +102,8 @@ impl InputFile {
             asked: self.asked_poses(),
             overrides: Override::from_settings(&settings),
         };
-        Ok(motion(&mechanism, &set.values, &plan).map_err(|error| error.diagnostic(model))?)
+        let motion = if has_worst_cases { motion_with_worst_cases_until } else { motion_until };
+        Ok(motion(&mechanism, &set.values, &plan, stop).map_err(|error| error.diagnostic(model))?)
     }
 
     /// The mechanism over one cycle where actuators move it, so that it has no ideal motion; `None` if drives alone do, or where it

@@ -28,7 +28,8 @@ pub(crate) struct Judgement {
     pub allowances: Vec<MotionAllowance>,
 }
 
-/// Judges what `study` requires over its turn in `positions` steps, until `stop` is set; inputs that `set` names have that value.
+/// Judges what `study` requires over its turn in `positions` steps, until `stop` is set; inputs that `set` names have that value. In space
+/// nothing is judged without runs.
 ///
 /// # Errors
 /// As for [`super::InputFile::ideal_motion`]; that it was stopped.
@@ -38,10 +39,9 @@ pub(crate) fn judge(
     set: &[String],
     stop: &AtomicBool,
 ) -> Result<Judgement, Diagnostics> {
-    if study.requirements.is_empty() {
+    let Some(model) = study.model.planar().filter(|_| !study.requirements.is_empty()) else {
         return Ok(Judgement { requirements: Vec::new(), allowances: Vec::new() });
-    }
-    let model = study.model.demand_planar()?;
+    };
     let set_values = model.set_values(set)?;
     let is_set = |path: &str| set.iter().any(|text| text.split_once('=').is_some_and(|(own, _)| own.trim() == path));
     let mut limits = study.input_limits();

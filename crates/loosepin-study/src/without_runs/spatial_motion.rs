@@ -1,10 +1,12 @@
 //! The motion of a mechanism in space, with what its play and its scatter do to it.
 
 use crate::written::input_file::InputFile;
-use loosepin_result::motion::{DimensionContributor, NamedEffect, PoseEffect};
-use loosepin_result::spatial_motion::SpatialMotionRecord;
+use loosepin_result::motion::{
+    ClearanceAnswer, DimensionContributor, JointContributor, MotionRecord, NamedEffect, PoseEffect,
+};
+use loosepin_result::simulation::Override;
 use loosepin_simulate::accuracy::AskedPose;
-use loosepin_space::{IsStopped, SpatialModel, SpatialScatterPlan};
+use loosepin_space::{IsStopped, SpatialModel, SpatialMotionProblem, SpatialScatter, SpatialScatterPlan};
 use loosepin_text::diagnostics::Diagnostics;
 use loosepin_text::numbers::QuantityId;
 use std::f64::consts::TAU;
@@ -15,16 +17,20 @@ impl InputFile {
     /// can be.
     ///
     /// # Errors
-    /// Those of [`Self::play_in_space`] and of [`Self::add_scatter`].
-    pub fn motion_in_space(
+    /// Those of [`Self::play_in_space`] and of [`Self::add_scatter`]; paths of points.
+    pub(super) fn moved_in_space(
         &self,
         model: &SpatialModel,
         set: &[String],
+        paths: &[String],
         is_proven: bool,
-    ) -> Result<SpatialMotionRecord, Diagnostics> {
-        let never = || false;
-        let mut record = self.play_in_space(model, set, is_proven, &never)?;
-        self.add_scatter(model, set, &mut record, &never)?;
+        is_stopped: IsStopped,
+    ) -> Result<MotionRecord, Diagnostics> {
+        if !paths.is_empty() {
+            return Err(Diagnostics::one(&SpatialMotionProblem::OptionNotInSpace { option: "--path" }, None));
+        }
+        let mut record = self.play_in_space(model, set, is_proven, is_stopped)?;
+        self.add_scatter(model, set, &mut record, is_stopped)?;
         Ok(record)
     }
 
@@ -38,9 +44,11 @@ impl InputFile {
         set: &[String],
         is_proven: bool,
         is_stopped: IsStopped,
-    ) -> Result<SpatialMotionRecord, Diagnostics> {
-        let values = self.model().spatial_values(&self.with_widest_play(set))?;
-        model.motion_record_until(&values, is_proven, is_stopped)
+    ) -> Result<MotionRecord, Diagnostics> {
+        let settings = self.with_widest_play(set);
+        let values = self.model().spatial_values(&settings)?;
+        let record = model.motion_record_until(&values, is_proven, is_stopped)?;
+        Ok(MotionRecord { overrides: Override::from_settings(&settings), ..record })
     }
 
     /// Adds what random inputs do to a record of [`Self::play_in_space`] with the same settings, until it is stopped.
@@ -51,7 +59,7 @@ impl InputFile {
         &self,
         model: &SpatialModel,
         set: &[String],
-        record: &mut SpatialMotionRecord,
+        record: &mut MotionRecord,
         is_stopped: IsStopped,
     ) -> Result<(), Diagnostics> {
         let random = self.scatter();
@@ -64,47 +72,55 @@ impl InputFile {
             correlations: correlations.collect(),
             quantities: random.iter().map(|own| (own.quantity, own.standard_deviation_si)).collect(),
         };
-        let scatter = model.scatter_until(&plan, is_stopped)?;
-        record.outputs.iter_mut().zip(scatter).for_each(|(output, scatter)| output.scatter = scatter);
+        for (output, scatter) in record.outputs.iter_mut().zip(model.scatter_until(&plan, is_stopped)?) {
+            output.dimensional_standard_deviation_si = scatter.standard_deviation_si;
+            output.dimensional_contributors = scatter.contributors;
+        }
         record.asked = self.asked_in_space(model, &plan, record, is_stopped)?;
         Ok(())
     }
 
-    /// What scatter does at the poses that the study asks about.
+    /// What play and scatter do at the poses that the study asks about.
     fn asked_in_space(
         &self,
         model: &SpatialModel,
         plan: &SpatialScatterPlan,
-        record: &SpatialMotionRecord,
+        record: &MotionRecord,
         is_stopped: IsStopped,
     ) -> Result<Vec<PoseEffect>, Diagnostics> {
         let InputFile::Study(study) = self else { return Ok(Vec::new()) };
-        if plan.quantities.is_empty() {
-            return Ok(Vec::new());
-        }
         let values = model.quantities.evaluate(&plan.set).map_err(|error| Diagnostics::one(&error, None))?;
         let input = study.model.input(study.cycle.span, &values);
         let turn = |pose_rad: f64| (input.speed_rad_s.signum() * (pose_rad - input.start_rad) / TAU).rem_euclid(1.0);
         let mut found = Vec::new();
-        for AskedPose { output, pose_rad, is_required } in study.asked_poses() {
-            let Some(number) = record.outputs.iter().position(|own| own.name == output) else { continue };
-            let scatter = model.scatter_at(plan, &[turn(pose_rad)], is_stopped)?;
-            let at_pose = |values_si: &[f64]| values_si.first().copied().unwrap_or_default();
-            let own = &scatter[number];
-            let dimension = |own: &DimensionContributor| NamedEffect {
-                name: own.path.clone(),
-                value_si: at_pose(&own.standard_deviation_si),
-            };
-            found.push(PoseEffect {
-                output,
-                pose_rad,
-                is_required,
-                first_order_si: 0.0,
-                joints: Vec::new(),
-                standard_deviation_si: at_pose(&own.standard_deviation_si),
-                dimensions: own.contributors.iter().map(dimension).collect(),
-            });
+        for asked in study.asked_poses() {
+            let Some(number) = record.outputs.iter().position(|own| own.name == asked.output) else { continue };
+            let turn = turn(asked.pose_rad);
+            let play = model.play_at(&values, turn, is_stopped)?;
+            let scatter = model.scatter_at(plan, &[turn], is_stopped)?;
+            found.push(pose_effect(asked, &play[number], &scatter[number]));
         }
         Ok(found)
+    }
+}
+
+/// Of an answer that has one position.
+fn pose_effect(asked: AskedPose, play: &ClearanceAnswer, scatter: &SpatialScatter) -> PoseEffect {
+    let AskedPose { output, pose_rad, is_required } = asked;
+    let at_pose = |values_si: &[f64]| values_si.first().copied().unwrap_or_default();
+    let joint =
+        |own: &JointContributor| NamedEffect { name: own.joint.clone(), value_si: at_pose(&own.first_order_si) };
+    let dimension = |own: &DimensionContributor| NamedEffect {
+        name: own.path.clone(),
+        value_si: at_pose(&own.standard_deviation_si),
+    };
+    PoseEffect {
+        output,
+        pose_rad,
+        is_required,
+        first_order_si: at_pose(&play.first_order_si),
+        joints: play.contributors.iter().map(joint).collect(),
+        standard_deviation_si: at_pose(&scatter.standard_deviation_si),
+        dimensions: scatter.contributors.iter().map(dimension).collect(),
     }
 }

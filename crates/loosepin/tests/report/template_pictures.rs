@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use loosepin::accuracy::{MotionPlan, motion};
 use loosepin::mechanism::Mechanism;
 use loosepin::model::Model;
-use loosepin::report::{mechanism_picture, spatial_motion_picture};
+use loosepin::report::{mechanism_picture, motion_picture};
 use loosepin::simulate::controlled_drawing;
 use loosepin::space::SpatialModel;
 use loosepin::templates::{SPATIAL_TEMPLATES, TEMPLATES, Template, all_templates};
@@ -47,7 +47,7 @@ fn picture(template: &Template) -> String {
 fn picture_in_space(template: &Template) -> String {
     let model = SpatialModel::from_text("model.toml", template.model).unwrap_or_else(|found| panic!("{found}"));
     let record = model.motion_record(&model.quantities.nominal()).unwrap_or_else(|found| panic!("{found}"));
-    spatial_motion_picture(&record)
+    motion_picture(&record)
 }
 
 fn page() -> String {

@@ -130,11 +130,11 @@ fn identity_the_standard_deviation_of_a_motion_is_that_of_a_study_at_its_poses()
     );
     let study = Study::from_text("study.toml", &study, model).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let result = run(&study).result;
-    let step_deg = 360.0 / (motion.inputs_si.len() - 1) as f64;
+    let step_deg = 360.0 / (motion.drive_angle_rad.len() - 1) as f64;
     for (bound, angle_deg) in result.bounds.iter().zip([0.0, 60.0, 200.0]) {
         let sample = angle_deg / step_deg;
         assert!((sample - f64::round(sample)).abs() < 1e-9, "{step_deg}");
-        let due = own.standard_deviation_si[sample.round() as usize];
+        let due = own.clearance.disc_standard_deviation_si[sample.round() as usize];
         const SECOND_ORDER_OF_BALLS: f64 = 1e-3;
         let error_si = (bound.upper.widened_si - bound.upper.value_si).abs();
         assert!((bound.upper.value_si - due).abs() <= error_si + SECOND_ORDER_OF_BALLS * due, "{due} {bound:?}");

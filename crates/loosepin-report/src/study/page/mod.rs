@@ -14,7 +14,7 @@ use crate::charts::still_figures::orbit_chooser;
 use crate::mechanism::figure::mechanism_figure;
 use crate::medium::article_page::{blocks, page_section};
 use crate::medium::page::{Frame, Page, Section};
-use crate::motion::spatial::{joints_section, spatial_motion_figure};
+use crate::motion::{joints_section, motion_figure};
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::Tag;
 use crate::study::answer::{StudyAnswer, answer, verdict_headline};
@@ -60,7 +60,7 @@ fn page(result: &StudyResult) -> Page {
         }),
         own("orbits", "The journal in its bearing", !result.orbits.is_empty(), &|| orbits(result, writer)),
         page_section(contributors_section(result, writer)),
-        page_section(result.spatial.as_ref().and_then(joints_section)),
+        page_section(result.motion.as_ref().and_then(|motion| joints_section(motion, writer))),
         page_section(allowed_section(result, writer)),
         page_section(answers_section(result, writer)),
         own("boxes", "Distribution", has_boxes, &|| curves::box_charts(result, first.boxes, writer)),
@@ -116,8 +116,8 @@ pub fn study_excerpt(result: &StudyResult) -> String {
 
 /// The mechanism: in space turned by the reader, in the plane moving.
 fn mechanism(result: &StudyResult) -> Markup {
-    match &result.spatial {
-        Some(motion) => spatial_motion_figure(motion),
+    match &result.motion {
+        Some(motion) => motion_figure(motion),
         None => mechanism_figure(&result.drawing, &result.cycle.drive),
     }
 }

@@ -25,11 +25,13 @@ pub fn worn_pin() -> MotionRecord {
             joint: "gudgeon".to_owned(),
             radial_clearance_m: GUDGEON_CLEARANCE_M,
             first_order_si: over(&|angle| GUDGEON_CLEARANCE_M * gain(angle)),
+            ..JointContributor::default()
         },
         JointContributor {
             joint: "crankpin".to_owned(),
             radial_clearance_m: CRANKPIN_CLEARANCE_M,
             first_order_si: over(&|angle| CRANKPIN_CLEARANCE_M * gain(angle)),
+            ..JointContributor::default()
         },
     ];
     let play = |angle: f64| (GUDGEON_CLEARANCE_M + CRANKPIN_CLEARANCE_M) * gain(angle);
@@ -50,6 +52,7 @@ pub fn worn_pin() -> MotionRecord {
         guide_overhangs: Vec::new(),
         unproven_spans: Vec::new(),
         is_proven_between_angles: true,
+        remarks: Vec::new(),
         requirements: Vec::new(),
         allowances: Vec::new(),
         asked: Vec::new(),
@@ -71,6 +74,7 @@ pub fn worn_pin() -> MotionRecord {
                 proven_lowest_si: over(&|angle| -1.004 * play(angle)),
                 proven_highest_si: over(&|angle| 1.001 * play(angle)),
                 witness: None,
+                searched: Vec::new(),
                 disc_standard_deviation_si: over(&|angle| 0.5 * root_sum_square * gain(angle)),
                 rim_standard_deviation_si: over(&|angle| root_sum_square * gain(angle) / 2f64.sqrt()),
                 contributors,
@@ -98,6 +102,8 @@ pub fn worn_pin() -> MotionRecord {
             value_si: over(&|angle| SLIDER_KG * acceleration(angle) * velocity(angle) / SPEED_RAD_S),
         }],
         drawing: drawing(&sample, false),
+        picture: Default::default(),
+        time_s: Vec::new(),
         drive_angle_rad: angles,
     }
 }
@@ -199,6 +205,7 @@ pub fn four_bar() -> MotionRecord {
                     joint: "d".to_owned(),
                     radial_clearance_m: CLEARANCE_M,
                     first_order_si: over(&|angle| CLEARANCE_M * gain(angle)),
+                    ..JointContributor::default()
                 }],
                 ..ClearanceAnswer::default()
             },

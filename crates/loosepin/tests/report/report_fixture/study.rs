@@ -225,7 +225,7 @@ pub fn worn_pin() -> StudyResult {
         curves: vec![curve(&outers, &centre, &poses)],
         boxes: vec![probability_box(&outers, &pooled_largest)],
         paths: None,
-        spatial: None,
+        motion: None,
         orbits: vec![
             orbit(&Sample::nominal(CLEARANCE_M[1]), "at the upper bound", 1.0),
             orbit(&Sample::nominal(CLEARANCE_M[0]), "joint.gudgeon.radial_clearance = 0.1 mm", 1.0),

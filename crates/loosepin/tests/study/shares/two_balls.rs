@@ -8,7 +8,7 @@
 
 use super::{SHARE_TOLERANCE, line, of_path, shares, without};
 use crate::silent::run;
-use loosepin::report::{spatial_motion_text, study_page, study_text};
+use loosepin::report::{motion_text, study_page, study_text};
 use loosepin::space::SpatialModel;
 use loosepin::study::result::{Contributors, StudyResult};
 use loosepin::study::{InputFile, Study};
@@ -103,8 +103,7 @@ fn what_nobody_can_measure_stands_last_and_is_told_as_such() {
 #[test]
 fn analytic_motion_in_space_has_the_shares_of_the_pose_first() {
     let study = study(&in_the_middle());
-    let model = study.model.spatial().expect("it is in space").clone();
-    let record = InputFile::Study(Box::new(study)).motion_in_space(&model, &[], false);
+    let record = InputFile::Study(Box::new(study)).ideal_motion(36, &[]);
     let record = record.unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
     let [asked] = &record.asked[..] else { panic!("{:?}", record.asked) };
     for (path, share) in PATHS.into_iter().zip(by_hand(15.0)) {
@@ -112,10 +111,10 @@ fn analytic_motion_in_space_has_the_shares_of_the_pose_first() {
         let found = (own.value_si / asked.standard_deviation_si).powi(2);
         assert!((found - share).abs() < SHARE_TOLERANCE, "{path}: {found}, not {share}");
     }
-    let text = line(&spatial_motion_text(&record));
+    let text = line(&motion_text(&record));
     let place = |words: &str| text.find(words).unwrap_or_else(|| panic!("{words}: {text}"));
     assert!(
         place("at 180°, where the requirement is")
-            < place("at 1000 ms, where it is largest in the cycle; the requirement is at another place")
+            < place("at 1.00 s, where it is largest in the cycle; the requirement is at another place")
     );
 }
