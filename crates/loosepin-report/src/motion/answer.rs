@@ -4,32 +4,21 @@ use crate::medium::short_answer::{Said, Weight, words};
 use crate::numbers::number::{NumberWriter, PLAIN_DIGITS, Rounding};
 use crate::numbers::tag::Tag;
 use crate::words::wording::{capitalised, listed};
-use loosepin_result::motion::{GuideOverhang, MotionRecord, OutputMotion, PathMotion, PoseEffect, SingularPosition};
-use loosepin_result::study::PathError;
+use loosepin_result::motion::{GuideOverhang, MotionRecord, OutputMotion, PoseEffect, SingularPosition};
 use loosepin_text::units::SiUnit;
 
 use super::angles::{asked_place, largest, shown_angle_rad, turn_angle};
 use super::kinematic_sentences::kinematic_sentences;
+use super::moved::{has_clearance, has_scatter, moved_words};
 use super::play_effect::{is_spread_anywhere, play_effect, spread, unproven_sentences};
 use super::searched::searched_said;
 use super::verdicts::{verdict_headline, verdicts_said};
-
-/// Whether play moves an output.
-pub(super) fn has_clearance(output: &OutputMotion) -> bool {
-    let answer = &output.clearance;
-    answer.first_order_si.iter().chain(&answer.worst_case_si).any(|value| *value != 0.0)
-}
 
 /// Names of the joints with play.
 fn playing_joints(record: &MotionRecord) -> Vec<String> {
     let contributors = record.outputs.first().map_or(&[][..], |output| &output.clearance.contributors);
     let playing = contributors.iter().filter(|contributor| contributor.radial_clearance_m > 0.0);
     playing.map(|contributor| format!("'{}'", contributor.joint)).collect()
-}
-
-/// Whether the scatter of a part moves an output.
-pub(super) fn has_scatter(output: &OutputMotion) -> bool {
-    output.dimensional_standard_deviation_si.iter().any(|value| *value != 0.0)
 }
 
 /// All sentences of the answer.
@@ -145,15 +134,4 @@ fn overhang_sentence(record: &MotionRecord, overhang: &GuideOverhang, writer: &N
         listed(&spans),
         record.drive
     )
-}
-
-/// Words for the moving object: the output, or for an error of a path the point along or across it.
-pub(crate) fn moved_words(output: &OutputMotion) -> String {
-    let Some(PathMotion { path, part }) = &output.path_error else { return output.name.clone() };
-    match part {
-        PathError::Along => format!("{path} along its path"),
-        PathError::Normal => format!("{path} across its path"),
-        // The quasi-static answer has no other parts.
-        PathError::Magnitude | PathError::Contour => output.name.clone(),
-    }
 }

@@ -13,7 +13,7 @@ use loosepin_result::point_path::PointPath;
 use loosepin_text::units::SiUnit;
 
 use super::angles::angle_chart;
-use super::answer::has_clearance;
+use super::moved::has_clearance;
 use super::play_effect::{Shown, play_effect};
 
 /// Explanation of the charts, and a chart of each output but the first, whose chart stands below the answer.

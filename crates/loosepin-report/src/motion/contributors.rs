@@ -12,7 +12,7 @@ use loosepin_text::article::{Cell, Column, Content, Group, Medium, Section, Tabl
 use loosepin_text::units::SiUnit;
 
 use super::angles::{asked_place, not_the_asked_one, turn_angle};
-use super::answer::has_clearance;
+use super::moved::has_clearance;
 use super::play_effect::largest_first_order;
 
 /// `None` if play moves nothing.

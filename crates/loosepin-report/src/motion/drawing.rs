@@ -14,7 +14,7 @@ use loosepin_result::motion::MotionRecord;
 use loosepin_text::article::Fact;
 
 use super::angles::turn_angle;
-use super::answer::has_clearance;
+use super::moved::has_clearance;
 use super::play_effect::play_effect;
 
 /// Without play a picture in space shows the position at this fraction of the cycle (one over it) first: not a dead centre.

@@ -10,6 +10,7 @@
 //! | paths of points with their zones | `paths.rs` |
 //! | what the drives must do | `efforts.rs` |
 //! | what was found at single positions | `searched.rs` |
+//! | whether play and scatter move an output | `moved.rs` |
 //! | the mechanism as it is drawn, in a plane or in space | `drawing.rs` |
 //! | on the page alone: charts over the cycle | `charts.rs` |
 //! | one of these charts while a mechanism is edited | `live_curve.rs` |
@@ -24,6 +25,7 @@ mod drawing;
 mod efforts;
 mod kinematic_sentences;
 mod live_curve;
+mod moved;
 mod page;
 mod paths;
 mod play_effect;
@@ -34,10 +36,11 @@ mod text;
 mod verdicts;
 
 pub(crate) use angles::{angle_chart, asked_place, turn_angle};
-pub(crate) use answer::{headline_sentences, moved_words};
+pub(crate) use answer::headline_sentences;
 pub(crate) use contributors::{joints_section, joints_text};
 pub(crate) use drawing::motion_figure;
 pub use drawing::{motion_drawing, motion_picture};
 pub use live_curve::{CurveChoice, CurveKey, CurveLine, CurveQuantity, LiveCurve, live_curve, live_curves};
+pub(crate) use moved::moved_words;
 pub use page::motion_page;
 pub use text::{motion_text, short_motion_text};

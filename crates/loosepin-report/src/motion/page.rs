@@ -13,11 +13,12 @@ use loosepin_result::motion::MotionRecord;
 use loosepin_text::article::{self, Fact};
 use loosepin_text::units::SiUnit;
 
-use super::answer::{all_said, has_clearance, has_scatter, singular_place};
+use super::answer::{all_said, singular_place};
 use super::charts::{clearance, clearance_chart, ideal_motion, transmission};
 use super::contributors::contributors_section;
 use super::drawing::{motion_figure, motion_method, views_section};
 use super::efforts::efforts_section;
+use super::moved::{has_clearance, has_scatter};
 use super::paths::{first_path_figure, paths_section};
 use super::ranges::ranges_section;
 use super::scatter::{scatter_chart, scatter_section};

@@ -12,7 +12,8 @@ use loosepin_result::motion::{DimensionContributor, MotionRecord, OutputMotion};
 use loosepin_text::article::{Cell, Column, Content, Group, Medium, Section, Table, Text};
 
 use super::angles::{angle_chart, asked_angle, asked_place, largest, not_the_asked_one, turn_angle};
-use super::answer::{has_scatter, scatter_words};
+use super::answer::scatter_words;
+use super::moved::has_scatter;
 
 /// A chart of each output but that which is `shown` already, and what each dimension adds; `None` if no part scatters.
 pub(super) fn scatter_section(

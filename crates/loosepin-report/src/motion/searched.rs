@@ -8,7 +8,7 @@ use loosepin_result::motion::{MotionRecord, OutputMotion, SearchedPosition};
 use loosepin_text::units::{SiUnit, counted};
 
 use super::angles::turn_angle;
-use super::answer::{has_clearance, moved_words};
+use super::moved::{has_clearance, moved_words};
 use super::play_effect::{is_spread_anywhere, to_both_sides};
 
 /// Digits of proven ends, which lie a little beyond what was found.
