@@ -6,7 +6,8 @@ use loosepin_result::study::PathError;
 /// Whether play moves an output.
 pub(super) fn has_clearance(output: &OutputMotion) -> bool {
     let answer = &output.clearance;
-    answer.first_order_si.iter().chain(&answer.worst_case_si).any(|value| *value != 0.0)
+    let found = answer.searched.iter().flat_map(|searched| &searched.found_si);
+    answer.first_order_si.iter().chain(&answer.worst_case_si).chain(found).any(|value| *value != 0.0)
 }
 
 /// Whether the scatter of a part moves an output.

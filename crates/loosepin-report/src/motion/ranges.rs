@@ -8,6 +8,7 @@ use loosepin_text::article::{Cell, Column, Content, Section, Table};
 
 use super::charts::range;
 use super::drawing::size_m;
+use super::moved::has_clearance;
 use super::play_effect::{play_effect, spread};
 use super::searched::{found_words, notes, proven_words};
 
@@ -45,7 +46,8 @@ fn row(record: &MotionRecord, output: &OutputMotion, has_searched: bool, writer:
         None => Some(effect.proven(record, output, writer).unwrap_or_else(|| "not proven".to_owned())),
     };
     let mut play = [const { None }; 5];
-    if effect.largest_si.is_finite() {
+    let is_known = has_clearance(output) || !output.clearance.worst_case_si.is_empty();
+    if is_known && effect.largest_si.is_finite() {
         play = [
             Some(effect.written(output, writer)),
             Some(effect.place(record, output, PLAIN_DIGITS, writer)),

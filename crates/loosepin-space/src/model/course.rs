@@ -111,8 +111,11 @@ impl<'a> Course<'a> {
         Ok(())
     }
 
-    /// What is known of play, with searches in the worst positions; with proven ends there on demand.
+    /// What is known of play, with searches in the worst positions, if a joint has any; with proven ends there on demand.
     pub fn answer(self, is_proven: bool, is_stopped: IsStopped) -> Result<ClearanceAnswer, AccuracyError> {
+        if self.contributors.is_empty() {
+            return Ok(self.unsearched());
+        }
         let worst = self.worst.as_ref().ok_or(AccuracyError::NotAPosition)?;
         let other = self.worst_regular.as_ref().filter(|regular| regular.position != worst.position);
         let searched = [Some(worst), other].into_iter().flatten().map(|place| place.searched(is_proven, is_stopped));
