@@ -147,7 +147,7 @@ const ONE_PLACE: [(&str, &str); 24] = [
     ("PlayShape", "loosepin-mechanics/src/mechanism/play_shape/"),
     ("DrawnJointKind", "loosepin-result/src/simulation/drawn_joint.rs"),
     ("SpatialKind", "loosepin-space/src/kind/"),
-    ("SpatialPlay", "loosepin-space/src/play/"),
+    ("SpatialPlay", "loosepin-space/src/kind/"),
     ("SpatialOutput", "loosepin-space/src/output/"),
 ];
 

@@ -10,13 +10,13 @@ use crate::closure::assembly::Starts;
 use crate::closure::cycle::{Cycle, cycle_from};
 use crate::closure::error::ClosureError;
 use crate::closure::position::Position;
+use crate::kind::SpatialPlay;
 use crate::mechanism::joint::Joint;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::output::SpatialOutput;
 use crate::output::kind_of_output::{KindOfOutput, OutputState};
 use crate::picture::Zones;
 use crate::play::block::PlayPart;
-use crate::play::kind_of_play::KindOfPlay;
 use crate::stop::{IsStopped, NEVER};
 use loosepin_math::{Pose, Vec3};
 use loosepin_result::repeat::{InputRole, Repeat};
@@ -310,7 +310,7 @@ impl SpatialModel {
 
 /// Whether play moves the journal of a joint; a clearance of zero moves nothing.
 fn has_play(joint: &Joint) -> bool {
-    joint.play.iter().flat_map(KindOfPlay::blocks).any(|block| block.radius_m > 0.0)
+    joint.play.iter().flat_map(SpatialPlay::blocks).any(|block| block.radius > 0.0)
 }
 
 /// Fewest steps of a turn for the angle of a body: a whole turn in one step would look like none.
@@ -444,7 +444,7 @@ fn contributors(accuracy: &PoseAccuracy<'_>, gains: &Gains, first_order: &FirstO
         .map(|(number, joint)| {
             let of = |part: PlayPart| {
                 let block = gains.blocks.iter().find(|block| block.joint == number && block.part == part)?;
-                Some((by_play.get(block.range())?, block.radius_m))
+                Some((by_play.get(block.range())?, block.radius))
             };
             let alone = |part: PlayPart| of(part).map(|(own, radius_m)| radius_m * length(own.iter().copied()));
             // u1 = u2 = c is an offset, u2 = -u1 a lean.
@@ -461,7 +461,7 @@ fn contributors(accuracy: &PoseAccuracy<'_>, gains: &Gains, first_order: &FirstO
                     .or_else(|| alone(PlayPart::Ball))
                     .or_else(|| alone(PlayPart::Across))
                     .unwrap_or_default(),
-                lean_si: of_ends.map(|[_, lean]| lean),
+                lean_si: of_ends.map(|[_, lean]| lean).or_else(|| alone(PlayPart::Lean)),
                 axial_si: alone(PlayPart::Axial),
             }
         })
