@@ -2,12 +2,12 @@
 
 use loosepin_result::motion::OTHER_START;
 use loosepin_space::{
-    ClosureError, IdleKind, IdleMotion, IsStopped, JointCoordinate, ModelPlay, PoseAccuracy, Position,
-    RedundantDirection, SpatialMechanism, SpatialModel, assemble, mobility, stop_after,
+    ClosureError, IdleKind, IdleMotion, IsStopped, JointCoordinate, PoseAccuracy, Position, RedundantDirection,
+    SpatialMechanism, SpatialModel, assemble, mobility, stop_after,
 };
 use loosepin_text::article::{Article, Fact, Section};
 use loosepin_text::diagnostics::Diagnostics;
-use loosepin_text::numbers::{QuantityId, Values};
+use loosepin_text::numbers::Values;
 use loosepin_text::units::{Dimension, counted, counted_or_no, format_number, format_value, listed};
 
 /// Singular values below this share of the largest are reported as nearly redundant.
@@ -87,7 +87,7 @@ fn bodies(model: &SpatialModel, values: &Values) -> Section {
 
 fn joints(model: &SpatialModel, values: &Values) -> Section {
     let facts = model.joints.iter().enumerate().map(|(number, joint)| {
-        let kind = joint.form.word();
+        let kind = joint.kind.word();
         let [journal, bearing] = [&joint.journal, &joint.bearing].map(|marker| model.point_name(marker.point));
         let mut lines = vec![format!("{kind}: {journal} in {bearing}")];
         lines.extend(model.drives.iter().filter(|drive| drive.joint == number).map(|drive| {
@@ -98,35 +98,11 @@ fn joints(model: &SpatialModel, values: &Values) -> Section {
             let (speed, start) = (format_value(values[drive.speed], speed), format_value(values[drive.start], start));
             format!("driven by '{}' at {speed}, from {start}", drive.name)
         }));
-        lines.extend(joint.play.map(|play| play_words(play, values)));
+        lines.extend(joint.play.map(|play| format!("play: {}", play.with(values).words())));
         Fact::new(&joint.name, lines)
     });
     let facts: Vec<Fact> = facts.collect();
     Section::of_facts("joints", counted_or_no(facts.len(), "joint", "joints"), facts)
-}
-
-fn play_words(play: ModelPlay, values: &Values) -> String {
-    let length = |id: QuantityId| format_value(values[id], Dimension::LENGTH);
-    let bearing = |clearance: QuantityId, over: QuantityId| {
-        let slope = 2.0 * values[clearance] / values[over];
-        let lean = format!("{} mrad", format_number(1e-3 * (1e6 * slope).round()));
-        format!(
-            "radial clearance {} in a bearing of length {}; the journal leans by up to {lean}",
-            length(clearance),
-            length(over)
-        )
-    };
-    match play {
-        ModelPlay::Ball { radial_clearance_m } => format!("play: radial clearance {}", length(radial_clearance_m)),
-        ModelPlay::Shaft { bearing_length_m, radial_clearance_m } => {
-            format!("play: {}", bearing(radial_clearance_m, bearing_length_m))
-        }
-        ModelPlay::Pin { bearing_length_m, radial_clearance_m, axial_clearance_m } => format!(
-            "play: {}; axial clearance {}",
-            bearing(radial_clearance_m, bearing_length_m),
-            length(axial_clearance_m)
-        ),
-    }
 }
 
 /// Degrees of freedom, idle ones, and rows that repeat others.

@@ -59,10 +59,11 @@ pub use closure::error::{ClosureError, DrivePlace, OpenJoint};
 pub use closure::position::Position;
 pub use closure::{Cycle, RANK_THRESHOLD, assemble, cycle};
 pub use kind::frames::{Axis, MarkerShift};
-pub use kind::kind_of_joint::KindOfJoint;
 pub use kind::row::Row;
-pub use kind::sign::JointSign;
-pub use kind::{Cylindrical, Planar, Prismatic, Revolute, Rigid, Screw, SpatialKind, Spherical, Universal};
+pub use kind::{
+    Cylindrical, CylindricalPlay, Planar, Prismatic, Revolute, RevolutePlay, Rigid, Screw, SpatialKind, SpatialPlay,
+    Spherical, SphericalPlay, Universal, UprightPlay,
+};
 pub use loosepin_math::{Frame, Pose, Quaternion, Rotation, Vec3};
 pub use mechanism::body::Body;
 pub use mechanism::body_tree::{BodyTree, TreeJoint};
@@ -74,16 +75,14 @@ pub use mechanism::spatial_mechanism::SpatialMechanism;
 pub use mobility::{IdleKind, IdleMotion, Mobility, RedundantDirection, RedundantShare, mobility};
 pub use model::{
     CycleInput, Direction, ModelAssembly, ModelBody, ModelCycle, ModelCycleSpan, ModelDrive, ModelGuess, ModelJoint,
-    ModelJointForm, ModelMarker, ModelMisalignment, ModelOutput, ModelOutputKind, ModelPlay, ModelPoint, PointId,
-    SpatialModel, SpatialModelError, SpatialModelProblem, SpatialMotionProblem, SpatialScatter, SpatialScatterPlan,
-    is_inertia, is_spatial, refuse_without_geometry, spatial_model_schema,
+    ModelMarker, ModelMisalignment, ModelOutput, ModelOutputKind, ModelPoint, PointId, SpatialModel, SpatialModelError,
+    SpatialModelProblem, SpatialMotionProblem, SpatialScatter, SpatialScatterPlan, is_inertia, is_spatial,
+    refuse_without_geometry, spatial_model_schema,
 };
 pub use motion::{BodyRates, Motion, PathFrame, motion};
 pub use output::kind_of_output::{BodyGradient, KindOfOutput, OutputState};
 pub use output::{JointOutput, PointOutput, RotationOutput, RotationSineOutput, SpatialOutput};
 pub use picture::PictureSource;
 pub use play::block::{Block, PlayPart};
-pub use play::kind_of_play::KindOfPlay;
-pub use play::{CylindricalPlay, RevolutePlay, SpatialPlay, SphericalPlay, UprightPlay};
 pub use sampling::{PartOfOutput, PlaySide, SampledPart, SamplingError, TurnSample, TurnSampler};
 pub use stop::{IsStopped, stop_after};

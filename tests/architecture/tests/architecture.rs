@@ -149,7 +149,7 @@ const ONE_PLACE: [(&str, &str); 26] = [
     ("SpaceAttachment", "loosepin-mechanics/src/mechanism/attachment/"),
     ("DrawnJointKind", "loosepin-result/src/simulation/drawn_joint.rs"),
     ("SpatialKind", "loosepin-space/src/kind/"),
-    ("SpatialPlay", "loosepin-space/src/play/"),
+    ("SpatialPlay", "loosepin-space/src/kind/"),
     ("SpatialOutput", "loosepin-space/src/output/"),
 ];
 

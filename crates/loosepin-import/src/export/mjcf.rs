@@ -5,7 +5,7 @@ use super::element::Element;
 use super::link::Mass;
 use super::problem::ExportProblem;
 use crate::robot::Names;
-use loosepin_space::{Frame, Joint, JointCoordinate, KindOfJoint, Marker, Quaternion, TreeJoint, Vec3};
+use loosepin_space::{Frame, Joint, JointCoordinate, Marker, Quaternion, TreeJoint, Vec3};
 use loosepin_text::units::quoted;
 
 /// Mass and inertia that MuJoCo is to give to bodies without: it takes no moving body without any.
@@ -53,7 +53,7 @@ pub(super) fn robot(export: &Export<'_>, notes: &mut Vec<String>) -> Result<Elem
     let motors = export.model.drives.iter().map(|drive| {
         let joint = &export.model.joints[drive.joint];
         // The second coordinate of a joint of two.
-        let is_slide = joint.form.word() == "cylindrical" && drive.coordinate == JointCoordinate::Slide;
+        let is_slide = joint.kind.word() == "cylindrical" && drive.coordinate == JointCoordinate::Slide;
         let name = if is_slide { export.second(&joint.name, "slide") } else { joint.name.clone() };
         Element::new("motor").text("name", &drive.name).text("joint", &name)
     });

@@ -5,7 +5,7 @@ use super::element::Element;
 use super::link::Mass;
 use super::problem::ExportProblem;
 use crate::robot::{Names, of_roll_pitch_yaw};
-use loosepin_space::{Frame, KindOfJoint, TreeJoint, Vec3};
+use loosepin_space::{Frame, TreeJoint, Vec3};
 use loosepin_text::units::quoted;
 
 /// Limits of slides, which must have some, m.

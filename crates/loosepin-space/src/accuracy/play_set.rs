@@ -1,9 +1,9 @@
 //! The variables of all plays of a mechanism, and the set that they lie in.
 
+use crate::kind::SpatialPlay;
 use crate::kind::frames::MarkerShift;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::play::block::{Block, PlayPart};
-use crate::play::kind_of_play::KindOfPlay;
 
 /// A block of variables with its place in the list of all.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -12,8 +12,8 @@ pub struct PlacedBlock {
     pub joint: usize,
     /// What the variables are.
     pub part: PlayPart,
-    /// How long they may be together, m.
-    pub radius_m: f64,
+    /// How long they may be together, in their unit: m, and 1 of slopes.
+    pub radius: f64,
     /// Number of the first variable.
     pub first: usize,
 }
@@ -37,8 +37,8 @@ impl PlaySet {
     pub(crate) fn new(mechanism: &SpatialMechanism) -> Self {
         let (mut blocks, mut first) = (Vec::new(), 0);
         for (number, joint) in mechanism.joints().iter().enumerate() {
-            for Block { part, radius_m } in joint.play.iter().flat_map(KindOfPlay::blocks) {
-                blocks.push(PlacedBlock { joint: number, part, radius_m, first });
+            for Block { part, radius } in joint.play.iter().flat_map(SpatialPlay::blocks) {
+                blocks.push(PlacedBlock { joint: number, part, radius, first });
                 first += part.size();
             }
         }
@@ -54,7 +54,7 @@ impl PlaySet {
     /// The set with one more block, of no joint.
     pub(crate) fn with_block(&self, part: PlayPart, radius: f64) -> Self {
         let mut other = self.clone();
-        other.blocks.push(PlacedBlock { joint: usize::MAX, part, radius_m: radius, first: self.variables });
+        other.blocks.push(PlacedBlock { joint: usize::MAX, part, radius, first: self.variables });
         other.variables += part.size();
         other
     }
@@ -71,7 +71,7 @@ impl PlaySet {
 
     /// The radius of the block of each variable, m.
     pub(crate) fn radii_m(&self) -> Vec<f64> {
-        self.blocks.iter().flat_map(|block| vec![block.radius_m; block.part.size()]).collect()
+        self.blocks.iter().flat_map(|block| vec![block.radius; block.part.size()]).collect()
     }
 
     /// The variables of the plays of each joint.
@@ -110,7 +110,7 @@ impl PlaySet {
     pub(crate) fn in_metres(&self, scaled: &[f64]) -> Vec<f64> {
         let mut metres = scaled.to_vec();
         for block in &self.blocks {
-            metres[block.range()].iter_mut().for_each(|value| *value *= block.radius_m);
+            metres[block.range()].iter_mut().for_each(|value| *value *= block.radius);
         }
         metres
     }

@@ -3,7 +3,6 @@
 use crate::accuracy::play_set::PlaySet;
 use crate::closure::loops::Loops;
 use crate::kind::frames::{JointFrames, MarkerShift};
-use crate::play::kind_of_play::KindOfPlay;
 use core::ops::Range;
 use loosepin_math::Vec3;
 

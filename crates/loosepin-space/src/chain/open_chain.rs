@@ -4,7 +4,6 @@ use crate::accuracy::PlaySet;
 use crate::chain::error::ChainError;
 use crate::chain::joint_turn::{ChainPose, JointPlace};
 use crate::chain::sample::ChainSample;
-use crate::kind::kind_of_joint::KindOfJoint;
 use crate::mechanism::body_tree::{BodyTree, TreeJoint};
 use crate::mechanism::drive::JointCoordinate;
 use crate::mechanism::marker::Marker;

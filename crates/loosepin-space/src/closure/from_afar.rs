@@ -7,7 +7,6 @@ use crate::closure::newton::largest;
 use crate::closure::singular::{RANK_THRESHOLD, singular_values};
 use crate::closure::step::CLOSED;
 use crate::kind::frames::JointFrames;
-use crate::kind::kind_of_joint::KindOfJoint;
 use crate::kind::row::is_reversed;
 use crate::stop::IsStopped;
 use loosepin_math::Pose;

@@ -1,7 +1,6 @@
 //! The equations that hold a mechanism together.
 
 use crate::kind::frames::{JointFrames, MarkerShift};
-use crate::kind::kind_of_joint::KindOfJoint;
 use crate::kind::row::{RowColumns, ScalarRow};
 use crate::mechanism::drive::JointCoordinate;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;

@@ -152,12 +152,12 @@ mod tests {
     use crate::accuracy::play_set::PlaySet;
     use crate::kind::row::ScalarRow;
     use crate::kind::{Cylindrical, Revolute, Screw};
+    use crate::kind::{CylindricalPlay, RevolutePlay};
     use crate::mechanism::body::Body;
     use crate::mechanism::drive::{Drive, JointCoordinate};
     use crate::mechanism::joint::Joint;
     use crate::mechanism::marker::Marker;
     use crate::mechanism::spatial_mechanism::SpatialMechanism;
-    use crate::play::{CylindricalPlay, RevolutePlay};
     use loosepin_math::Quaternion;
 
     /// So long that the nut is on the branch of its turn.

@@ -2,9 +2,8 @@
 
 use crate::enclosure::jet::{Jet, Number, Variables};
 use crate::enclosure::vector::JetVector;
+use crate::kind::SpatialPlay;
 use crate::kind::frames::MarkerShift;
-use crate::play::SpatialPlay;
-use crate::play::kind_of_play::KindOfPlay;
 use core::array::from_fn;
 use loosepin_math::{Interval, Real};
 
@@ -51,5 +50,5 @@ impl<T: Number> EnclosedShift<T> {
 
 /// Radius of the block of each variable, m.
 pub(crate) fn radii_m(play: &SpatialPlay) -> Vec<f64> {
-    play.blocks().iter().flat_map(|block| vec![block.radius_m; block.part.size()]).collect()
+    play.blocks().iter().flat_map(|block| vec![block.radius; block.part.size()]).collect()
 }

@@ -31,10 +31,12 @@ pub enum MechanismError {
         /// The joint.
         joint: String,
     },
-    /// A screw without a pitch.
-    NoPitch {
+    /// Numbers of a kind of joint break their rule.
+    BadKind {
         /// The joint.
         joint: String,
+        /// The rule.
+        rule: &'static str,
     },
     /// Play of a kind that this kind of joint does not have.
     PlayOfAnotherJoint {
@@ -87,7 +89,7 @@ impl MechanismError {
             Self::NoBody { joint, .. }
             | Self::SameBody { joint, .. }
             | Self::BadMarker { joint }
-            | Self::NoPitch { joint }
+            | Self::BadKind { joint, .. }
             | Self::PlayOfAnotherJoint { joint, .. }
             | Self::BadPlay { joint, .. }
             | Self::NoSuchCoordinate { joint, .. }
@@ -112,9 +114,7 @@ impl fmt::Display for MechanismError {
                 "joint '{joint}': the point of a marker must be of finite numbers, and its axes orthonormal and \
                  right-handed"
             ),
-            Self::NoPitch { joint } => {
-                write!(out, "joint '{joint}': the pitch of a screw must be a number other than 0")
-            }
+            Self::BadKind { joint, rule } => write!(out, "joint '{joint}': {rule}"),
             Self::PlayOfAnotherJoint { joint, kind, play, play_of } => write!(
                 out,
                 "joint '{joint}': a {kind} joint has no play of kind '{play}', which is that of a {play_of} joint"

@@ -1,8 +1,7 @@
 //! A joint between two bodies.
 
-use crate::kind::SpatialKind;
+use crate::kind::{SpatialKind, SpatialPlay};
 use crate::mechanism::marker::Marker;
-use crate::play::SpatialPlay;
 
 /// A joint: marker i (bearing) and marker j (journal), the kind that holds them together, and its play if it has some.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,12 +1,10 @@
 //! A mechanism, checked.
 
-use crate::kind::kind_of_joint::KindOfJoint;
 use crate::mechanism::body::Body;
 use crate::mechanism::drive::{Drive, JointCoordinate};
 use crate::mechanism::error::MechanismError;
 use crate::mechanism::joint::Joint;
 use crate::mechanism::marker::Marker;
-use crate::play::kind_of_play::KindOfPlay;
 use loosepin_math::{Pose, Vec3};
 
 /// Largest departure of axes and quaternions from unit length and right angles.
@@ -98,8 +96,8 @@ fn check_joint(joint: &Joint, bodies: &[Body]) -> Result<(), MechanismError> {
     if joint.bearing.body == joint.journal.body {
         return Err(MechanismError::SameBody { joint: name(), body: bodies[joint.bearing.body].name.clone() });
     }
-    if joint.kind.is_without_pitch() {
-        return Err(MechanismError::NoPitch { joint: name() });
+    if let Some(rule) = joint.kind.mistake() {
+        return Err(MechanismError::BadKind { joint: name(), rule });
     }
     let Some(play) = &joint.play else { return Ok(()) };
     if play.joint_word() != joint.kind.word() {

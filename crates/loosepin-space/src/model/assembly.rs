@@ -1,7 +1,6 @@
 //! Where bodies are at the start, as the file guesses it.
 
-use super::body::LENGTHS;
-use super::direction::Direction;
+use super::direction::{Direction, LENGTHS};
 use super::parts::ModelGuess;
 use super::problem::SpatialModelProblem;
 use super::reader::SpaceReader;

@@ -1,6 +1,6 @@
 //! Bodies with their points and axes.
 
-use super::direction::Direction;
+use super::direction::{Direction, LENGTHS};
 use super::parts::{ModelBody, ModelPoint};
 use super::problem::SpatialModelProblem;
 use super::reader::{NAMED_AXIS, SpaceReader};
@@ -8,9 +8,6 @@ use loosepin_text::document::{Entry, Kind, quantity};
 use loosepin_text::numbers::{QuantityId, ReadsNumbers};
 use loosepin_text::record;
 use loosepin_text::units::{Dimension as D, Rule};
-
-/// A vector of three lengths.
-pub(super) const LENGTHS: Kind = Kind::Three(&quantity(D::LENGTH, Rule::Finite));
 
 /// Keys of the plane that bodies in space do not have yet.
 const PLANNED: &[(&str, &str)] = &[

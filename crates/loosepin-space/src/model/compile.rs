@@ -1,10 +1,8 @@
 //! From values to a mechanism.
 
 use super::direction::{Direction, vector};
-use super::parts::{
-    ModelCycleSpan, ModelGuess, ModelJoint, ModelMarker, ModelMisalignment, ModelOutputKind, ModelPlay, PointId,
-    SpatialModel,
-};
+use super::marker::{ModelMarker, ModelMisalignment, PointId};
+use super::parts::{ModelCycleSpan, ModelGuess, ModelJoint, ModelOutputKind, SpatialModel};
 use super::placing::placed;
 use super::problem::SpatialModelError;
 use crate::mechanism::body::Body;
@@ -13,7 +11,6 @@ use crate::mechanism::joint::Joint;
 use crate::mechanism::marker::Marker;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::output::{PointOutput, RotationOutput, SpatialOutput};
-use crate::play::{CylindricalPlay, RevolutePlay, SpatialPlay, SphericalPlay};
 use loosepin_math::{Pose, Quaternion, Vec3};
 use loosepin_text::diagnostics::{Diagnostic, Place, Source};
 use loosepin_text::numbers::Values;
@@ -196,7 +193,8 @@ impl SpatialModel {
     }
 
     fn joint(&self, joint: &ModelJoint, values: &Values) -> Result<Joint, SpatialModelError> {
-        let kind = joint.form.with_pitch(|pitch_m| values[pitch_m]);
+        let numbers: Vec<f64> = joint.numbers.iter().map(|number| values[*number]).collect();
+        let kind = joint.kind.with_numbers(&numbers);
         let bearing = self.marker(&joint.bearing, values, &joint.name, "bearing")?;
         let journal = self.marker(&joint.journal, values, &joint.name, "journal")?;
         let play = joint.play.map(|play| play.with(values));
@@ -224,28 +222,6 @@ impl SpatialModel {
 
 fn unit(direction: Direction, values: &Values, path: impl Fn() -> String) -> Result<Vec3, SpatialModelError> {
     direction.vector(values).normalised().ok_or_else(|| SpatialModelError::NoDirection { path: path() })
-}
-
-impl ModelPlay {
-    /// The play with these values.
-    pub(crate) fn with(self, values: &Values) -> SpatialPlay {
-        match self {
-            Self::Pin { bearing_length_m, radial_clearance_m, axial_clearance_m } => RevolutePlay {
-                bearing_length_m: values[bearing_length_m],
-                radial_clearance_m: values[radial_clearance_m],
-                axial_clearance_m: values[axial_clearance_m],
-            }
-            .into(),
-            Self::Shaft { bearing_length_m, radial_clearance_m } => CylindricalPlay {
-                bearing_length_m: values[bearing_length_m],
-                radial_clearance_m: values[radial_clearance_m],
-            }
-            .into(),
-            Self::Ball { radial_clearance_m } => {
-                SphericalPlay { radial_clearance_m: values[radial_clearance_m] }.into()
-            }
-        }
-    }
 }
 
 /// Each turn is about an axis of the body as the turns before left it, so that it stands to the right of them.

@@ -1,11 +1,11 @@
 //! What play does to an output, position by position: worst case of first order, who contributes, and the positions that are searched.
 
 use crate::accuracy::{AccuracyError, FirstOrder, Gains, PlayDistribution, PoseAccuracy, SearchOptions};
+use crate::kind::SpatialPlay;
 use crate::mechanism::joint::Joint;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::output::SpatialOutput;
 use crate::play::block::PlayPart;
-use crate::play::kind_of_play::KindOfPlay;
 use crate::stop::IsStopped;
 use loosepin_math::Vec3;
 use loosepin_result::motion::{ClearanceAnswer, JointContributor, SearchedPosition};
@@ -16,13 +16,13 @@ const SAME: f64 = 1e-9;
 
 /// Whether play moves the journal of a joint; a clearance of zero moves nothing.
 pub(super) fn has_play(joint: &Joint) -> bool {
-    joint.play.iter().flat_map(KindOfPlay::blocks).any(|block| block.radius_m > 0.0)
+    joint.play.iter().flat_map(SpatialPlay::blocks).any(|block| block.radius > 0.0)
 }
 
 /// Radial clearance of a joint, m; 0 where it has none.
 fn radial_clearance_m(joint: &Joint) -> f64 {
-    let mut radial = joint.play.iter().flat_map(KindOfPlay::blocks).filter(|block| block.part != PlayPart::Axial);
-    radial.next().map_or(0.0, |block| block.radius_m)
+    let radial = joint.play.iter().flat_map(SpatialPlay::blocks).find(|block| block.part.is_radial());
+    radial.map_or(0.0, |block| block.radius)
 }
 
 /// What is known of an output after some positions.
@@ -182,7 +182,7 @@ fn conditioned(accuracy: &PoseAccuracy<'_>, gains: &Gains, first_order: &FirstOr
 fn add_effects(known: &mut JointContributor, joint: usize, gains: &Gains, by_play: &[f64]) {
     let of = |part: PlayPart| {
         let block = gains.blocks.iter().find(|block| block.joint == joint && block.part == part)?;
-        Some((by_play.get(block.range())?, block.radius_m))
+        Some((by_play.get(block.range())?, block.radius))
     };
     let alone = |part: PlayPart| of(part).map(|(own, radius_m)| radius_m * length(own.iter().copied()));
     // u1 = u2 = c is an offset, u2 = -u1 a lean.

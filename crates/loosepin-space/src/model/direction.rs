@@ -1,7 +1,18 @@
 //! Directions in the frame of a body.
 
 use loosepin_math::Vec3;
+use loosepin_text::document::{Kind, quantity};
 use loosepin_text::numbers::{QuantityId, Values};
+use loosepin_text::units::{Dimension, Rule};
+
+/// Three lengths.
+pub(crate) const LENGTHS: Kind = Kind::Three(&quantity(Dimension::LENGTH, Rule::Finite));
+
+/// Numbers of a direction.
+pub(crate) const NUMBERS: Kind = Kind::Three(&quantity(Dimension::NUMBER, Rule::Finite));
+
+/// A direction in the frame of a body: a coordinate axis, the name of an axis of the body, or three numbers.
+pub(crate) const DIRECTION: Kind = Kind::AnyOf(&[Kind::Text, NUMBERS]);
 
 /// A direction in the frame of a body; its length does not matter.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -16,10 +27,10 @@ pub enum Direction {
 
 impl Direction {
     /// The z axis of the frame.
-    pub(super) const Z: Direction = Self::Coordinate(Vec3::Z);
+    pub(crate) const Z: Direction = Self::Coordinate(Vec3::Z);
 
     /// The words for coordinate axes.
-    pub(super) const WORDS: &'static [(&'static str, Direction)] = &[
+    pub(crate) const WORDS: &'static [(&'static str, Direction)] = &[
         ("x", Self::Coordinate(Vec3::X)),
         ("y", Self::Coordinate(Vec3::Y)),
         ("z", Self::Coordinate(Vec3::Z)),
@@ -29,7 +40,7 @@ impl Direction {
     ];
 
     /// The direction called `word`.
-    pub(super) fn from_word(word: &str) -> Option<Self> {
+    pub(crate) fn from_word(word: &str) -> Option<Self> {
         Self::WORDS.iter().find(|(own, _)| *own == word).map(|(_, direction)| *direction)
     }
 
@@ -43,12 +54,12 @@ impl Direction {
     }
 
     /// Whether it is a coordinate axis.
-    pub(super) fn is_coordinate(&self) -> bool {
+    pub(crate) fn is_coordinate(&self) -> bool {
         matches!(self, Self::Coordinate(_))
     }
 }
 
 /// Three values as a vector.
-pub(super) fn vector(ids: [QuantityId; 3], values: &Values) -> Vec3 {
+pub(crate) fn vector(ids: [QuantityId; 3], values: &Values) -> Vec3 {
     Vec3::from(ids.map(|id| values[id]))
 }

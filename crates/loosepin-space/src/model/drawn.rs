@@ -45,7 +45,7 @@ impl SpatialModel {
     }
 
     fn points_of(&self, body: usize, values: &Values) -> Vec<(String, Vec3)> {
-        let position = |point: usize| self.position(super::parts::PointId { body, point }, values);
+        let position = |point: usize| self.position(super::marker::PointId { body, point }, values);
         let points = self.bodies[body].points.iter().enumerate();
         points.map(|(number, point)| (point.name.clone(), position(number))).collect()
     }

@@ -3,7 +3,6 @@
 use super::parts::{ModelCycle, ModelCycleSpan, ModelDrive};
 use super::problem::SpatialModelProblem;
 use super::reader::SpaceReader;
-use crate::kind::kind_of_joint::KindOfJoint;
 use crate::mechanism::drive::JointCoordinate;
 use loosepin_text::document::{Entry, Kind, count, quantity};
 use loosepin_text::numbers::EntryProblem;
@@ -63,7 +62,7 @@ impl SpaceReader {
     fn drive(&mut self, entry: &Entry<'_>, own: &SpatialDriveTable<'_>) -> Option<ModelDrive> {
         let joint = self.joint(&own.joint)?;
         let name = self.joints[joint].name.clone();
-        let kind = self.joints[joint].form.with_pitch(|_| 1.0);
+        let kind = self.joints[joint].kind;
         let words = entry.path.describe();
         if !kind.turns() && !kind.slides() {
             let problem = SpatialModelProblem::NotDrivable { entry: words, joint: name, kind: kind.word() };

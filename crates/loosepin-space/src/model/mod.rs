@@ -3,9 +3,8 @@
 //!
 //! | Step | File |
 //! |---|---|
-//! | the parts of a model, directions | `parts.rs`, `direction.rs` |
+//! | the parts of a model; directions; where a joint is, and its errors of manufacture | `parts.rs`; `direction.rs`; `marker.rs` |
 //! | points, axes and names while a file is read | `reader.rs` |
-//! | errors of manufacture | `misalignment.rs` |
 //! | tables | `read.rs` (the file), `body.rs`, `joint.rs`, `drive.rs` (with the cycle), `output.rs`, `assembly.rs` |
 //! | from values to a mechanism; where its bodies start | `compile.rs`; `placing.rs` |
 //! | its motion over a turn, with worst cases; what play does to an output | `over_turn.rs`; `course.rs` |
@@ -21,19 +20,19 @@ mod assembly;
 mod body;
 mod compile;
 mod course;
-mod direction;
+pub(crate) mod direction;
 mod drawn;
 mod drive;
 mod fit;
 mod forgotten;
 mod joint;
-mod misalignment;
+pub(crate) mod marker;
 mod output;
 mod over_turn;
 mod parts;
 mod placing;
 mod plausible;
-mod problem;
+pub(crate) mod problem;
 mod read;
 mod reader;
 mod round_off;
@@ -46,9 +45,10 @@ pub use compile::CycleInput;
 pub use direction::Direction;
 pub use fit::ModelAssembly;
 pub use forgotten::refuse_without_geometry;
+pub use marker::{ModelMarker, ModelMisalignment, PointId};
 pub use parts::{
-    ModelBody, ModelCycle, ModelCycleSpan, ModelDrive, ModelGuess, ModelJoint, ModelJointForm, ModelMarker,
-    ModelMisalignment, ModelOutput, ModelOutputKind, ModelPlay, ModelPoint, PointId, SpatialModel,
+    ModelBody, ModelCycle, ModelCycleSpan, ModelDrive, ModelGuess, ModelJoint, ModelOutput, ModelOutputKind,
+    ModelPoint, SpatialModel,
 };
 pub use problem::{SpatialModelError, SpatialModelProblem, SpatialMotionProblem};
 pub use read::{is_spatial, spatial_model_schema};

@@ -1,7 +1,8 @@
 //! Outputs: what is read off a position.
 
+use super::direction::DIRECTION;
 use super::parts::{ModelOutput, ModelOutputKind};
-use super::reader::{DIRECTION, SpaceReader};
+use super::reader::SpaceReader;
 use loosepin_text::document::{Entry, Kind};
 use loosepin_text::numbers::ReadsNumbers;
 use loosepin_text::record;

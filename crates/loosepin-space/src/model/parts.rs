@@ -1,8 +1,8 @@
 //! What a model of a mechanism in space is made of. Each number is a quantity.
 
 use super::direction::Direction;
-use crate::kind::SpatialKind;
-use crate::kind::kind_of_joint::KindOfJoint;
+use super::marker::{ModelMarker, PointId};
+use crate::kind::{SpatialKind, SpatialPlay};
 use crate::mechanism::drive::JointCoordinate;
 use loosepin_text::diagnostics::{Diagnostic, Source, Span};
 use loosepin_text::numbers::{QuantityId, QuantityTable};
@@ -62,135 +62,21 @@ pub struct ModelPoint {
     pub position_m: [QuantityId; 3],
 }
 
-/// A point of a body, by their places in the lists.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct PointId {
-    /// The body; 0 is the ground.
-    pub body: usize,
-    /// The point of it.
-    pub point: usize,
-}
-
 /// A joint.
 #[derive(Debug, Clone)]
 pub struct ModelJoint {
     /// Its name.
     pub name: String,
-    /// Its kind.
-    pub form: ModelJointForm,
+    /// Its kind, with numbers that say nothing: those of the model are `numbers`.
+    pub kind: SpatialKind,
+    /// The numbers of its kind.
+    pub numbers: Vec<QuantityId>,
     /// The marker of the bearing.
     pub bearing: ModelMarker,
     /// The marker of the journal.
     pub journal: ModelMarker,
     /// Its play; `None` for an ideal joint.
-    pub play: Option<ModelPlay>,
-}
-
-/// The kind of a joint with its numbers.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum ModelJointForm {
-    /// A kind without a number of its own.
-    Plain(SpatialKind),
-    /// A screw.
-    Screw {
-        /// Advance in one turn, m.
-        pitch_m: QuantityId,
-    },
-}
-
-impl ModelJointForm {
-    /// The word for its kind.
-    pub fn word(&self) -> &'static str {
-        self.with_pitch(|_| 1.0).word()
-    }
-
-    /// Keys of a file that give a joint of this kind play; none where it has none.
-    pub fn play_keys(&self) -> &'static [&'static str] {
-        self.with_pitch(|_| 1.0).play_keys()
-    }
-
-    /// Whether both bodies move as one.
-    pub(super) fn is_rigid(&self) -> bool {
-        self.with_pitch(|_| 1.0).freedoms() == 0
-    }
-
-    /// The kind, with the pitch of a screw.
-    pub(super) fn with_pitch(&self, pitch_m: impl Fn(QuantityId) -> f64) -> SpatialKind {
-        match self {
-            Self::Plain(kind) => *kind,
-            Self::Screw { pitch_m: id } => SpatialKind::screw(pitch_m(*id)),
-        }
-    }
-}
-
-/// Where a joint is on a body.
-#[derive(Debug, Clone, Copy)]
-pub struct ModelMarker {
-    /// The point.
-    pub point: PointId,
-    /// z of the marker: the axis of the joint.
-    pub axis: Direction,
-    /// x of the marker, as far as it is across the axis; `None` for the default.
-    pub across: Option<Direction>,
-    /// Errors of manufacture.
-    pub misalignment: ModelMisalignment,
-}
-
-/// How far a marker is from where it should be on its body, along its own axes x, y and z; nothing where the file does not say it.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct ModelMisalignment {
-    /// Displacement of its point, m.
-    pub shift_m: Option<[QuantityId; 3]>,
-    /// Rotation vector about its point, rad.
-    pub tilt_rad: Option<[QuantityId; 3]>,
-}
-
-/// Play of a joint.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum ModelPlay {
-    /// A pin in a bearing between two stops.
-    Pin {
-        /// Length of the bearing, m.
-        bearing_length_m: QuantityId,
-        /// Radius of the bearing minus radius of the pin, m.
-        radial_clearance_m: QuantityId,
-        /// From the middle to either stop, m.
-        axial_clearance_m: QuantityId,
-    },
-    /// A shaft in a bearing without stops.
-    Shaft {
-        /// Length of the bearing, m.
-        bearing_length_m: QuantityId,
-        /// Radius of the bearing minus radius of the shaft, m.
-        radial_clearance_m: QuantityId,
-    },
-    /// A ball in a socket.
-    Ball {
-        /// Radius of the socket minus radius of the ball, m.
-        radial_clearance_m: QuantityId,
-    },
-}
-
-impl ModelPlay {
-    /// The length of the bearing; `None` of a ball.
-    pub fn bearing_length_m(&self) -> Option<QuantityId> {
-        match *self {
-            Self::Pin { bearing_length_m, .. } | Self::Shaft { bearing_length_m, .. } => Some(bearing_length_m),
-            Self::Ball { .. } => None,
-        }
-    }
-
-    /// The radial clearance, and that along the axis.
-    pub fn clearances_m(&self) -> [Option<QuantityId>; 2] {
-        match *self {
-            Self::Pin { radial_clearance_m, axial_clearance_m, .. } => {
-                [Some(radial_clearance_m), Some(axial_clearance_m)]
-            }
-            Self::Shaft { radial_clearance_m, .. } | Self::Ball { radial_clearance_m } => {
-                [Some(radial_clearance_m), None]
-            }
-        }
-    }
+    pub play: Option<SpatialPlay<QuantityId>>,
 }
 
 /// A joint that is moved at constant speed.

@@ -1,7 +1,6 @@
 //! Where bodies start that the file gives no guess of: on a tree of joints from the ground, as the drives have them at time zero.
 
 use crate::kind::frames::Axis;
-use crate::kind::kind_of_joint::KindOfJoint;
 use crate::kind::row::Row;
 use crate::mechanism::drive::JointCoordinate;
 use crate::mechanism::joint::Joint;

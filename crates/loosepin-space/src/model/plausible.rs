@@ -37,7 +37,7 @@ impl JudgedModel for SpatialModel {
     }
 
     fn rigid_pairs(&self) -> Vec<[usize; 2]> {
-        let rigid = self.joints.iter().filter(|joint| joint.form.is_rigid());
+        let rigid = self.joints.iter().filter(|joint| joint.kind.freedoms() == 0);
         rigid.map(|joint| [joint.bearing.point.body, joint.journal.point.body]).collect()
     }
 }

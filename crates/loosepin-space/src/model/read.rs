@@ -3,11 +3,11 @@
 use super::assembly::SpatialAssemblyTable;
 use super::body::{SpatialBodyTable, SpatialGroundTable};
 use super::drive::{SpatialCycleTable, SpatialDriveTable};
-use super::joint::JOINTS;
 use super::output::SpatialOutputTable;
 use super::parts::SpatialModel;
 use super::problem::SpatialModelProblem;
 use super::reader::SpaceReader;
+use crate::kind::JOINT_KINDS;
 use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Source};
 use loosepin_text::document::{Entry, Kind, Table, describe_path, json_schema, parse_toml, quantity, read_source};
 use loosepin_text::numbers::EntryProblem;
@@ -47,7 +47,7 @@ record! {
     required body: Option<Entry<'t>> =
         Kind::Tables { keys: &SpatialBodyTable::KEYS, except: &[("ground", &SpatialGroundTable::KEYS)] }, "";
     /// the joints, each under [joint.NAME]
-    optional joint: Entry<'t> = Kind::TaggedTables { tag: "kind", variants: JOINTS }, "";
+    optional joint: Entry<'t> = Kind::TaggedTables { tag: "kind", variants: JOINT_KINDS }, "";
     /// the drives, each under [drive.NAME]
     optional drive: Entry<'t> = Kind::Tables { keys: &SpatialDriveTable::KEYS, except: &[] }, "";
     /// where bodies are at the start

@@ -1,13 +1,14 @@
 //! A model in space being read: its parts so far, and the reader of points, directions and names.
 
-use super::direction::Direction;
-use super::parts::{ModelBody, ModelDrive, ModelJoint, PointId};
+use super::direction::{Direction, NUMBERS};
+use super::marker::PointId;
+use super::parts::{ModelBody, ModelDrive, ModelJoint};
 use super::problem::{SpatialModelProblem, hint_of_needs};
 use loosepin_text::diagnostics::{Diagnostic, Source, nearest_name};
 use loosepin_text::document::{Entry, Kind, Reader, Reads};
 use loosepin_text::numbers::{EntryProblem, NameTable, NumberReader, ReadsNumbers};
 use loosepin_text::record;
-use loosepin_text::units::{Dimension, Rule};
+use loosepin_text::units::Dimension;
 use std::collections::HashSet;
 use std::sync::Arc;
 
@@ -35,12 +36,6 @@ impl ReadsNumbers for SpaceReader {
         &mut self.numbers
     }
 }
-
-/// Numbers of a direction.
-const NUMBERS: Kind = Kind::Three(&Kind::Quantity { dimension: Dimension::NUMBER, rule: Rule::Finite });
-
-/// A direction in the frame of a body: a coordinate axis, the name of an axis of the body, or three numbers.
-pub(super) const DIRECTION: Kind = Kind::AnyOf(&[Kind::Text, NUMBERS]);
 
 record! {
     /// a direction from one point of the body to another

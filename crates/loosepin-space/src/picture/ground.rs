@@ -4,7 +4,6 @@ use super::joints::{bearing_length_m, travel_m};
 use super::shapes::{OfJoint, at, face};
 use super::sizes::Sizes;
 use super::source::PictureSource;
-use crate::kind::kind_of_joint::KindOfJoint;
 use crate::kind::sign::JointSign;
 use loosepin_math::Vec3;
 use loosepin_result::spatial_picture::{PictureElement, PictureRole};

@@ -3,10 +3,9 @@
 use super::shapes::{OfJoint, at};
 use super::sizes::Sizes;
 use super::source::PictureSource;
-use crate::kind::kind_of_joint::KindOfJoint;
+use crate::kind::SpatialPlay;
 use crate::kind::sign::JointSign;
 use crate::mechanism::joint::Joint;
-use crate::play::kind_of_play::KindOfPlay;
 use loosepin_math::Vec3;
 use loosepin_result::spatial_picture::{PictureElement, PictureRole, PictureShape};
 
@@ -78,7 +77,7 @@ pub(super) fn elements(source: &PictureSource<'_>, number: usize, sizes: &Sizes)
 
 /// Length of the bearing of a joint, or of one that has none of its own, m.
 pub(super) fn bearing_length_m(joint: &Joint, sizes: &Sizes) -> f64 {
-    joint.play.as_ref().and_then(KindOfPlay::bearing_length_m).unwrap_or(sizes.bearing_m)
+    joint.play.as_ref().and_then(SpatialPlay::bearing_length_m).unwrap_or(sizes.bearing_m)
 }
 
 /// The least and the largest place of the journal along the axis of the bearing, m: z·(P_j - P_i) over all positions.

@@ -3,7 +3,6 @@
 use super::sizes::Sizes;
 use super::source::PictureSource;
 use super::{bodies, drives, ground, joints};
-use crate::kind::kind_of_joint::KindOfJoint;
 use crate::mechanism::joint::Joint;
 use loosepin_math::Pose;
 use loosepin_result::spatial_picture::{

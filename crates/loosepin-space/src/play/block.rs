@@ -13,14 +13,21 @@ pub enum PlayPart {
     Across,
     /// Displacement along the bearing's axis: one number.
     Axial,
+    /// Slope of the journal's axis along x and y, tangent of its lean: two numbers without a unit.
+    Lean,
 }
 
 impl PlayPart {
+    /// Whether its radius is a radial clearance.
+    pub fn is_radial(self) -> bool {
+        matches!(self, Self::Ball | Self::FirstEnd | Self::SecondEnd | Self::Across)
+    }
+
     /// How many numbers it has.
     pub fn size(self) -> usize {
         match self {
             Self::Ball => 3,
-            Self::FirstEnd | Self::SecondEnd | Self::Across => 2,
+            Self::FirstEnd | Self::SecondEnd | Self::Across | Self::Lean => 2,
             Self::Axial => 1,
         }
     }
@@ -31,6 +38,6 @@ impl PlayPart {
 pub struct Block {
     /// What they are.
     pub part: PlayPart,
-    /// How long they may be together, m.
-    pub radius_m: f64,
+    /// How long they may be together, in their unit: m, and 1 of slopes.
+    pub radius: f64,
 }

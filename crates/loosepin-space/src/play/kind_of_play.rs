@@ -7,11 +7,11 @@ use crate::play::block::Block;
 ///
 /// The admissible set is a product of balls, one for each [`Block`]: intervals, discs and balls. Its variables are those of the blocks in
 /// their order.
-pub trait KindOfPlay {
+pub(crate) trait KindOfPlay: PlayNumbers<f64> {
     /// Its name.
-    fn word(&self) -> &'static str;
-    /// The name of the kind of joint that it belongs to.
-    fn joint_word(&self) -> &'static str;
+    const WORD: &'static str;
+    /// The word of the kind of joint that it belongs to.
+    const JOINT: &'static str;
     /// The blocks of variables.
     fn blocks(&self) -> Vec<Block>;
     /// Where the variables take the bearing's marker.
@@ -22,12 +22,38 @@ pub trait KindOfPlay {
     fn second_derivatives(&self) -> Vec<(usize, usize, MarkerShift)> {
         Vec::new()
     }
-    /// Length of the bearing, its middle at the marker, m; `None` where the play does not depend on one.
-    fn bearing_length_m(&self) -> Option<f64> {
-        None
-    }
     /// The first number that cannot be, if one is: its name, its value and the rule that it breaks.
     fn mistake(&self) -> Option<(&'static str, f64, &'static str)>;
+    /// Its sizes in words.
+    fn words(&self) -> String;
+}
+
+/// The numbers `N` of a play: values, or quantities of a model.
+pub(crate) trait PlayNumbers<N> {
+    /// The same play with other numbers.
+    type With<M>;
+    /// The same play with what `number` makes of its numbers.
+    fn with<M>(&self, number: impl Fn(N) -> M) -> Self::With<M>;
+    /// The radial clearance, and that along the axis.
+    fn clearances_m(&self) -> [Option<N>; 2];
+    /// Length of the bearing, its middle at the marker, m; `None` where the play does not depend on one.
+    fn bearing_length_m(&self) -> Option<N> {
+        None
+    }
+}
+
+/// Play that a model file can give a kind of joint.
+pub(crate) trait PlayOfFile {
+    /// Keys of the joint's table that give it; none where there is no play.
+    const KEYS: &'static [&'static str];
+}
+
+/// The play of a kind of joint that has none.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum NoPlay {}
+
+impl PlayOfFile for NoPlay {
+    const KEYS: &'static [&'static str] = &[];
 }
 
 /// The mistake of a clearance that is not zero or a positive number.

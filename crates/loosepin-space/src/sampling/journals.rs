@@ -4,7 +4,6 @@ use crate::accuracy::PlayDistribution;
 use crate::accuracy::play_set::PlaySet;
 use crate::model::SpatialModel;
 use crate::play::block::PlayPart;
-use crate::play::kind_of_play::KindOfPlay;
 use loosepin_math::sin_cos;
 use std::f64::consts::TAU;
 
@@ -43,7 +42,7 @@ pub(super) fn variables_m(set: &PlaySet, distribution: PlayDistribution, uniform
     for block in set.blocks() {
         let (own, next) = rest.split_at(uniforms_of(block.part, distribution).min(rest.len()));
         rest = next;
-        let c = block.radius_m;
+        let c = block.radius;
         let is_inside = distribution == PlayDistribution::Inside;
         let place = &mut variables[block.range()];
         match (place, own) {

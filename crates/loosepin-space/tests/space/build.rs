@@ -1,7 +1,8 @@
 //! Mechanisms drawn in the ground's frame in a position in which they are closed.
 
 use loosepin_space::{
-    Body, Drive, DriveValue, Joint, JointCoordinate, Marker, Pose, SpatialKind, SpatialMechanism, SpatialPlay, Vec3,
+    Body, Cylindrical, Drive, DriveValue, Joint, JointCoordinate, Marker, Planar, Pose, Prismatic, Revolute, Rigid,
+    SpatialKind, SpatialMechanism, SpatialPlay, Spherical, Universal, Vec3,
 };
 
 pub fn v(x: f64, y: f64, z: f64) -> Vec3 {
@@ -25,7 +26,7 @@ impl Build {
 
     /// A joint with both markers at `point`, z along `z` and x along `x`.
     pub fn joint(self, kind: &str, pair: [usize; 2], point: Vec3, z: Vec3, x: Vec3) -> Self {
-        let kind = SpatialKind::from_word(kind).unwrap();
+        let kind = self::kind(kind);
         let marker = |body| Marker::new(body, point, z, x).unwrap();
         self.push(kind, marker(pair[0]), marker(pair[1]))
     }
@@ -33,7 +34,7 @@ impl Build {
     /// A joint whose x axes do not matter.
     pub fn about(self, kind: &str, pair: [usize; 2], point: Vec3, z: Vec3) -> Self {
         let marker = |body| Marker::along(body, point, z).unwrap();
-        let kind = SpatialKind::from_word(kind).unwrap();
+        let kind = self::kind(kind);
         self.push(kind, marker(pair[0]), marker(pair[1]))
     }
 
@@ -85,4 +86,18 @@ pub fn turn(steps: usize) -> Vec<f64> {
 pub fn wrapped(angle: f64) -> f64 {
     let turn = std::f64::consts::TAU;
     angle - turn * (angle / turn).round()
+}
+
+/// The kind of this name, of those without a number of their own.
+pub fn kind(word: &str) -> SpatialKind {
+    let all: [SpatialKind; 7] = [
+        Revolute.into(),
+        Prismatic.into(),
+        Cylindrical.into(),
+        Spherical.into(),
+        Universal.into(),
+        Planar.into(),
+        Rigid.into(),
+    ];
+    all.into_iter().find(|kind| kind.word() == word).unwrap()
 }

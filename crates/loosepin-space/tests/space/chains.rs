@@ -19,7 +19,7 @@ pub fn arm() -> SpatialMechanism {
     ];
     let revolute = RevolutePlay { bearing_length_m: 0.03, radial_clearance_m: 3e-4, axial_clearance_m: 2e-4 };
     let cylindrical = CylindricalPlay { bearing_length_m: 0.05, radial_clearance_m: 2e-4 };
-    let kind = |word| SpatialKind::from_word(word).unwrap();
+    let kind = |word| crate::build::kind(word);
     let joint = |name: &str, kind: SpatialKind, [i, j]: [usize; 2], point: Vec3, z: Vec3| {
         let marker = |body: usize| Marker::in_pose(body, &poses[body], point, z, v(0.3, 1.0, -0.2)).unwrap();
         Joint::new(name, kind, marker(i), marker(j))
@@ -29,7 +29,13 @@ pub fn arm() -> SpatialMechanism {
         joint("lift", kind("prismatic"), [1, 2], v(0.2, 0.0, 0.3), v(0.5, 0.2, 1.0)),
         joint("elbow", kind("revolute"), [3, 2], v(0.35, 0.05, 0.35), v(1.0, -0.4, 0.3)).with_play(revolute),
         joint("shaft", kind("cylindrical"), [3, 4], v(0.5, 0.05, 0.3), v(0.2, 1.0, 0.4)).with_play(cylindrical),
-        joint("spindle", SpatialKind::screw(0.012), [4, 5], v(0.58, 0.05, 0.4), v(-0.3, 0.2, 1.0)),
+        joint(
+            "spindle",
+            loosepin_space::Screw { pitch_m: 0.012 }.into(),
+            [4, 5],
+            v(0.58, 0.05, 0.4),
+            v(-0.3, 0.2, 1.0),
+        ),
     ];
     let angle = |joint| Drive { joint, coordinate: JointCoordinate::Angle };
     let slide = |joint| Drive { joint, coordinate: JointCoordinate::Slide };

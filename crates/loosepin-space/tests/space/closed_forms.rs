@@ -3,7 +3,7 @@
 use crate::build::{Build, turn, turning, v, wrapped};
 use crate::known;
 use loosepin_space::{
-    IdleKind, JointCoordinate, JointOutput, KindOfOutput, Marker, OutputState, Pose, Position, Quaternion, SpatialKind,
+    IdleKind, JointCoordinate, JointOutput, KindOfOutput, Marker, OutputState, Pose, Position, Quaternion,
     SpatialMechanism, Vec3, assemble, cycle, mobility, motion,
 };
 
@@ -31,7 +31,7 @@ fn cardan(bend: f64, is_pin_in_plane: bool) -> SpatialMechanism {
     Build::new(2)
         .joint("revolute", [0, 1], v(-0.3, 0.0, 0.0), Vec3::X, Vec3::Y)
         .driven()
-        .push(SpatialKind::from_word("universal").unwrap(), cross[0], cross[1])
+        .push(crate::build::kind("universal"), cross[0], cross[1])
         .joint("revolute", [0, 2], out * 0.4, out, Vec3::Z)
         .mechanism()
 }
@@ -62,7 +62,7 @@ fn analytic_cardan_joint() {
 fn analytic_screw() {
     let mechanism = Build::new(1)
         .push(
-            SpatialKind::screw(0.02),
+            loosepin_space::Screw { pitch_m: 0.02 }.into(),
             Marker::new(0, v(0.1, 0.2, 0.3), v(0.0, 0.6, 0.8), Vec3::X).unwrap(),
             Marker::new(1, v(0.1, 0.2, 0.3), v(0.0, 0.6, 0.8), Vec3::X).unwrap(),
         )
@@ -247,7 +247,7 @@ fn analytic_bennett() {
         let behind = frames[k + 1].orientation.rotation().x;
         let bearing = Marker::new(k, frames[k].position_m, axes.z, axes.x).unwrap();
         let journal = Marker::new((k + 1) % 4, frames[k].position_m, axes.z, behind).unwrap();
-        build = build.push(SpatialKind::from_word("revolute").unwrap(), bearing, journal);
+        build = build.push(crate::build::kind("revolute"), bearing, journal);
         if k == 0 {
             build = build.driven();
         }
@@ -270,7 +270,7 @@ fn planar_four_bar(lengths: [f64; 4], crank_angle: f64) -> (SpatialMechanism, f6
     assert!(((tip - pin).length() - coupler).abs() < 1e-14);
     let mechanism = Build::new(3)
         .push(
-            SpatialKind::from_word("revolute").unwrap(),
+            crate::build::kind("revolute"),
             Marker::new(0, Vec3::ZERO, Vec3::Z, Vec3::X).unwrap(),
             Marker::new(1, Vec3::ZERO, Vec3::Z, pin).unwrap(),
         )

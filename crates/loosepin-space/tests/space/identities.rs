@@ -3,9 +3,9 @@
 use crate::build::{Build, turning, v};
 use crate::known;
 use loosepin_space::{
-    CylindricalPlay, DriveValue, JointCoordinate, JointOutput, KindOfOutput, KindOfPlay, OutputState, PathFrame,
-    PlayDistribution, PointOutput, Pose, PoseAccuracy, Quaternion, RevolutePlay, RotationOutput, RotationSineOutput,
-    SpatialOutput, SpatialPlay, SphericalPlay, UprightPlay, Vec3, assemble, motion,
+    CylindricalPlay, DriveValue, JointCoordinate, JointOutput, KindOfOutput, OutputState, PathFrame, PlayDistribution,
+    PointOutput, Pose, PoseAccuracy, Quaternion, RevolutePlay, RotationOutput, RotationSineOutput, SpatialOutput,
+    SpatialPlay, SphericalPlay, UprightPlay, Vec3, assemble, motion,
 };
 
 /// Step of central differences: its square times third derivatives, and round-off over it, are below the tolerance.
@@ -121,7 +121,7 @@ fn analytic_directions_of_a_helix() {
     let (radius, pitch, angle) = (0.2_f64, 0.05_f64, 0.9_f64);
     let marker = |body| loosepin_space::Marker::new(body, Vec3::ZERO, Vec3::Z, Vec3::X).unwrap();
     let mechanism =
-        Build::new(1).push(loosepin_space::SpatialKind::screw(pitch), marker(0), marker(1)).driven().mechanism();
+        Build::new(1).push(loosepin_space::Screw { pitch_m: pitch }.into(), marker(0), marker(1)).driven().mechanism();
     let position = assemble(&mechanism, &turning(angle)).unwrap();
     let rates = motion(&mechanism, &position);
     let arm = position.poses[1].orientation.rotation().apply(v(radius, 0.0, 0.0));

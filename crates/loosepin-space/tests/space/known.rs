@@ -17,7 +17,7 @@ pub fn rssp(bearing: Option<SpatialPlay>, wrist: Option<SpatialPlay>) -> Spatial
     }
     let guide = Marker::new(0, Vec3::ZERO, Vec3::X, Vec3::Y).unwrap();
     let end = Marker::new(3, slider, Vec3::X, Vec3::Y).unwrap();
-    build.push(loosepin_space::SpatialKind::from_word("prismatic").unwrap(), guide, end).mechanism()
+    build.push(crate::build::kind("prismatic"), guide, end).mechanism()
 }
 
 /// Place of the slider: √(L² - B_y² - B_z²).
@@ -85,7 +85,7 @@ pub fn rssr_drawn(length: f64, angle: f64, ball: Option<SpatialPlay>) -> Spatial
     }
     let bearing = Marker::new(0, PIVOT, a2, e2).unwrap();
     let journal = Marker::new(3, PIVOT, a2, along).unwrap();
-    build.push(loosepin_space::SpatialKind::from_word("revolute").unwrap(), bearing, journal).mechanism()
+    build.push(crate::build::kind("revolute"), bearing, journal).mechanism()
 }
 
 /// Planar slider-crank whose rod may lean: crank 50 mm about z, crankpin a ball, gudgeon a revolute joint with play, slider along x; rod
@@ -99,7 +99,7 @@ pub fn leaning_slider_crank(gudgeon: Option<SpatialPlay>) -> SpatialMechanism {
     }
     let guide = Marker::new(0, Vec3::ZERO, Vec3::X, Vec3::Y).unwrap();
     let end = Marker::new(3, slider, Vec3::X, Vec3::Y).unwrap();
-    build.push(loosepin_space::SpatialKind::from_word("prismatic").unwrap(), guide, end).mechanism()
+    build.push(crate::build::kind("prismatic"), guide, end).mechanism()
 }
 
 /// Bricard's mechanism of six bars of 1 m, axes at right angles, fixed at P5 - P0.

@@ -70,7 +70,7 @@ fn by_multipliers(accuracy: &PoseAccuracy, open: &[f64]) -> f64 {
     // Orthonormal combinations of the rows that plays reach, by Gram and Schmidt with the largest left first.
     let mut rows = accuracy.conditions_by_play();
     for block in blocks {
-        rows.iter_mut().for_each(|row| row[block.range()].iter_mut().for_each(|entry| *entry *= block.radius_m));
+        rows.iter_mut().for_each(|row| row[block.range()].iter_mut().for_each(|entry| *entry *= block.radius));
     }
     let mut right: Vec<f64> = open.iter().map(|value| -value).collect();
     let mut kept: Vec<(Vec<f64>, f64)> = Vec::new();
@@ -126,10 +126,10 @@ fn overconstrained(class: &str, random: &mut Random) -> SpatialMechanism {
     let number = drawn::CLASSES.iter().position(|(own, _)| *own == class).unwrap();
     loop {
         let mechanism = drawn::mechanism(number, random);
-        let is_whole = mechanism.joints().iter().all(|joint| {
-            joint.play.is_some()
-                || ["universal", "prismatic", "spherical"].contains(&loosepin_space::KindOfJoint::word(&joint.kind))
-        });
+        let is_whole = mechanism
+            .joints()
+            .iter()
+            .all(|joint| joint.play.is_some() || ["universal", "prismatic", "spherical"].contains(&joint.kind.word()));
         let held = vec![DriveValue::held(0.0); mechanism.drives().len()];
         let position = assemble(&mechanism, &held).unwrap();
         if is_whole && position.singular_ratio > 3e-3 {
@@ -206,7 +206,7 @@ fn identity_at_the_least_play_the_loops_close_at_the_border() {
         assert!(closed.apart < 1e-9, "{class}: {:e}", closed.apart);
         let shares = accuracy.play_set().blocks().iter().map(|block| {
             let own = &found.variables_m[block.range()];
-            dot(own, own).sqrt() / block.radius_m
+            dot(own, own).sqrt() / block.radius
         });
         let largest = shares.fold(0.0, f64::max);
         assert!((largest / found.factor - 1.0).abs() < 1e-6, "{class}: {largest} {}", found.factor);
@@ -217,12 +217,12 @@ fn identity_at_the_least_play_the_loops_close_at_the_border() {
         assert!(accuracy.displaced(&by_play.variables_m).unwrap().apart < 1e-9);
         let norm = |variables: &[f64]| -> f64 {
             let blocks = accuracy.play_set().blocks().iter();
-            blocks.map(|block| dot(&variables[block.range()], &variables[block.range()]) / block.radius_m.powi(2)).sum()
+            blocks.map(|block| dot(&variables[block.range()], &variables[block.range()]) / block.radius.powi(2)).sum()
         };
         assert!(norm(&by_play.variables_m) <= norm(&found.variables_m) * (1.0 + 1e-6), "{class}");
         for block in accuracy.play_set().blocks() {
             let own = &by_play.variables_m[block.range()];
-            assert!(dot(own, own).sqrt() <= block.radius_m * (1.0 + 1e-9));
+            assert!(dot(own, own).sqrt() <= block.radius * (1.0 + 1e-9));
         }
     }
 }

@@ -100,7 +100,7 @@ fn drawn_place(accuracy: &PoseAccuracy, random: &mut Random) -> Vec<f64> {
         let length = own.iter().map(|value| value * value).sum::<f64>().sqrt().max(1e-9);
         let is_on_border = random.below(4) > 0;
         let share = if is_on_border { 1.0 } else { random.between(0.0, 1.0) };
-        place.extend(own.iter().map(|value| value * block.radius_m * share / length));
+        place.extend(own.iter().map(|value| value * block.radius * share / length));
     }
     place
 }

@@ -11,7 +11,7 @@ fn marker(body: usize) -> Marker {
 }
 
 fn revolute() -> SpatialKind {
-    SpatialKind::from_word("revolute").unwrap()
+    crate::build::kind("revolute")
 }
 
 fn message(bodies: Vec<Body>, joints: Vec<Joint>, drives: Vec<Drive>) -> String {
@@ -57,7 +57,11 @@ fn mechanisms_that_cannot_be() {
             "joint 'pin': the point of a marker must be of finite numbers, and its axes orthonormal and right-handed",
         ),
         (
-            message(two(), vec![Joint::new("nut", SpatialKind::screw(0.0), marker(0), marker(1))], vec![]),
+            message(
+                two(),
+                vec![Joint::new("nut", loosepin_space::Screw { pitch_m: 0.0 }, marker(0), marker(1))],
+                vec![],
+            ),
             "joint 'nut': the pitch of a screw must be a number other than 0",
         ),
         (
@@ -101,7 +105,7 @@ fn positions_that_cannot_be() {
     // Turned by half a turn about z, a rigid joint meets all its right angles.
     let half = Build::new(1)
         .push(
-            SpatialKind::from_word("rigid").unwrap(),
+            crate::build::kind("rigid"),
             Marker::new(0, Vec3::ZERO, Vec3::Z, Vec3::X).unwrap(),
             Marker::new(1, Vec3::ZERO, Vec3::Z, -Vec3::X).unwrap(),
         )

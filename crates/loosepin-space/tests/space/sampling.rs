@@ -237,9 +237,7 @@ fn brute_force_lengths_over_all_directions() {
                 let along: Vec<f64> =
                     (0..gains[0].len()).map(|k| (0..3).map(|axis| n[axis] * gains[axis][k]).sum()).collect();
                 let blocks = accuracy.play_set().blocks().iter();
-                blocks
-                    .map(|block| block.radius_m * along[block.range()].iter().map(|g| g * g).sum::<f64>().sqrt())
-                    .sum()
+                blocks.map(|block| block.radius * along[block.range()].iter().map(|g| g * g).sum::<f64>().sqrt()).sum()
             };
             let (mut all, mut flat) = ([0.0_f64; 3], [0.0_f64; 3]);
             const STEPS: usize = 180;

@@ -3,8 +3,8 @@
 use crate::build::{Build, turning, v};
 use crate::random::Random;
 use loosepin_space::{
-    ClosureError, CylindricalPlay, KindOfJoint, MarkerError, MarkerSide, PlayDistribution, PoseAccuracy, Quaternion,
-    RevolutePlay, Row, SearchOptions, SpatialMechanism, SpatialOutput, SphericalPlay, UprightPlay, Vec3, assemble,
+    ClosureError, CylindricalPlay, MarkerError, MarkerSide, PlayDistribution, PoseAccuracy, Quaternion, RevolutePlay,
+    Row, SearchOptions, SpatialMechanism, SpatialOutput, SphericalPlay, UprightPlay, Vec3, assemble,
 };
 
 #[test]
@@ -68,7 +68,7 @@ pub fn drawn_loop(random: &mut Random) -> SpatialMechanism {
                 let pin = z.cross(x);
                 let [first, second] =
                     [(pair[0], z), (pair[1], pin)].map(|(body, axis)| loosepin_space::Marker::along(body, point, axis));
-                let kind = loosepin_space::SpatialKind::from_word(kind).unwrap();
+                let kind = crate::build::kind(kind);
                 build = build.push(kind, first.unwrap(), second.unwrap());
                 continue;
             }
@@ -109,8 +109,8 @@ pub fn into_set(accuracy: &PoseAccuracy, variables: &mut [f64], is_border: bool)
     for block in accuracy.play_set().blocks() {
         let own = &mut variables[block.range()];
         let length = own.iter().map(|value| value * value).sum::<f64>().sqrt();
-        if (is_border || length > block.radius_m) && length > 0.0 {
-            own.iter_mut().for_each(|value| *value *= block.radius_m / length);
+        if (is_border || length > block.radius) && length > 0.0 {
+            own.iter_mut().for_each(|value| *value *= block.radius / length);
         }
     }
 }
@@ -338,12 +338,12 @@ fn identity_bound_and_place_of_the_first_order_meet_with_many_conditions() {
         }
         let length = |own: &[f64]| own.iter().map(|value| value * value).sum::<f64>().sqrt();
         let blocks = accuracy.play_set().blocks().iter();
-        let sum: f64 = blocks.map(|block| block.radius_m * length(&gains_with[block.range()])).sum();
+        let sum: f64 = blocks.map(|block| block.radius * length(&gains_with[block.range()])).sum();
         assert!((sum - first.worst).abs() < 1e-10 * first.worst, "{sum} {}", first.worst);
         for block in accuracy.play_set().blocks() {
             let own = &first.variables_m[block.range()];
             let length = own.iter().map(|value| value * value).sum::<f64>().sqrt();
-            assert!(length <= block.radius_m * (1.0 + 1e-12));
+            assert!(length <= block.radius * (1.0 + 1e-12));
         }
         assert!(first.worst < 0.95 * accuracy.unconditioned_worst(&gains));
         assert!((first.by_joint.iter().sum::<f64>() - first.worst).abs() < 1e-12 * first.worst);

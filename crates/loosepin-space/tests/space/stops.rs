@@ -1,14 +1,14 @@
 //! Where a motion ends: locks and change points are reported with their place.
 
 use crate::build::{Build, turn, turning, v};
-use loosepin_space::{ClosureError, Marker, SpatialKind, SpatialMechanism, Vec3, assemble, cycle};
+use loosepin_space::{ClosureError, Marker, SpatialMechanism, Vec3, assemble, cycle};
 use loosepin_text::units::{Dimension, format_value};
 
 /// A planar four-bar in space with the crank at an angle, drawn with the rocker's tip given.
 fn four_bar(crank: Vec3, tip: Vec3, pivot: Vec3) -> SpatialMechanism {
     Build::new(3)
         .push(
-            SpatialKind::from_word("revolute").unwrap(),
+            crate::build::kind("revolute"),
             Marker::new(0, Vec3::ZERO, Vec3::Z, Vec3::X).unwrap(),
             Marker::new(1, Vec3::ZERO, Vec3::Z, crank).unwrap(),
         )
@@ -63,7 +63,7 @@ fn loops_that_cannot_close_are_reported_with_the_joint() {
         .driven()
         .about("revolute", [1, 2], v(0.05, 0.0, 0.0), Vec3::Z)
         .push(
-            SpatialKind::from_word("revolute").unwrap(),
+            crate::build::kind("revolute"),
             Marker::along(2, v(0.06, 0.0, 0.0), Vec3::Z).unwrap(),
             Marker::along(3, v(0.2, 0.0, 0.0), Vec3::Z).unwrap(),
         )
@@ -86,7 +86,7 @@ fn axes_that_are_not_parallel_contradict_each_other() {
         .about("revolute", [1, 2], v(0.03, 0.04, 0.0), Vec3::Z)
         .about("revolute", [2, 3], v(0.13, 0.09, 0.0), Vec3::Z)
         .push(
-            SpatialKind::from_word("revolute").unwrap(),
+            crate::build::kind("revolute"),
             Marker::along(0, v(0.12, 0.0, 0.0), tilted).unwrap(),
             Marker::along(3, v(0.12, 0.0, 0.0), Vec3::Z).unwrap(),
         )

@@ -51,7 +51,7 @@ pub fn give_play(text: &mut EditedText, model: &StudyModel, joint: &str, value: 
 /// The keys of the play of an ideal joint in space; `None` of a joint that has play, or can have none.
 fn keys_in_space(model: &SpatialModel, name: &str) -> Option<&'static [&'static str]> {
     let joint = model.joints.iter().find(|joint| joint.name == name && joint.play.is_none())?;
-    Some(joint.form.play_keys()).filter(|keys| !keys.is_empty())
+    Some(joint.kind.play_keys()).filter(|keys| !keys.is_empty())
 }
 
 /// The length of the first bearing with play, as it is written.

@@ -43,9 +43,9 @@ fn seen_joint(model: &SpatialModel, joint: &ModelJoint) -> JointView {
     let play = radial.filter(|clearance_m| *clearance_m > 0.0);
     JointView {
         name: joint.name.clone(),
-        kind: joint.form.word(),
+        kind: joint.kind.word(),
         play: play.map(|clearance_m| format!("c = {}", format_value(clearance_m, Dimension::LENGTH))),
-        takes_play: !joint.form.play_keys().is_empty(),
+        takes_play: !joint.kind.play_keys().is_empty(),
         pin: None,
         points: [joint.bearing.point, joint.journal.point].map(|point| model.point_name(point)),
     }

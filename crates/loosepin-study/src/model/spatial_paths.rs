@@ -63,7 +63,7 @@ fn not_written(model: &SpatialModel, path: &str) -> Option<String> {
     if model.quantities.id(&format!("joint.{name}.{error}.x")).is_some() {
         return None;
     }
-    if joint.form.word() == "spherical" && error.ends_with("tilt") {
+    if joint.kind.word() == "spherical" && error.ends_with("tilt") {
         return Some(format!("joint '{name}' is spherical: it has shifts, and no tilts"));
     }
     Some(format!(

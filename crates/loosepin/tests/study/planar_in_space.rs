@@ -5,8 +5,8 @@
 use loosepin::result::motion::MotionRecord;
 use loosepin::result::simulation::{Drawing, DrawnJoint, DrawnJointKind, PointReference};
 use loosepin::space::{
-    Body, Drive, DriveValue, Joint, JointCoordinate, Marker, PointOutput, Pose, PoseAccuracy, Quaternion, RevolutePlay,
-    RotationOutput, SpatialKind, SpatialMechanism, SpatialOutput, SpatialPlay, UprightPlay, Vec3, cycle,
+    Body, Drive, DriveValue, Joint, JointCoordinate, Marker, PointOutput, Pose, PoseAccuracy, Prismatic, Quaternion,
+    Revolute, RevolutePlay, RotationOutput, SpatialMechanism, SpatialOutput, SpatialPlay, UprightPlay, Vec3, cycle,
 };
 use loosepin::study::InputFile;
 use loosepin::templates::{TEMPLATES, Template};
@@ -39,7 +39,7 @@ fn in_space(drawing: &Drawing, play: fn(f64) -> SpatialPlay) -> Option<(SpatialM
         let made = match joint.kind {
             DrawnJointKind::Revolute | DrawnJointKind::RevoluteWithClearance => {
                 let [first, second] = pair.map(|end| Marker::new(end.body, point(end), Vec3::Z, Vec3::X));
-                let pin = Joint::new(&joint.name, SpatialKind::from_word("revolute")?, first?, second?);
+                let pin = Joint::new(&joint.name, Revolute, first?, second?);
                 if joint.radial_clearance_m > 0.0 { pin.with_play(play(joint.radial_clearance_m)) } else { pin }
             }
             DrawnJointKind::Prismatic if joint.radial_clearance_m == 0.0 => {
@@ -49,7 +49,7 @@ fn in_space(drawing: &Drawing, play: fn(f64) -> SpatialPlay) -> Option<(SpatialM
                 let second = first + angle(pair[0]) - angle(pair[1]);
                 let marker = |end: PointReference, own: f64| Marker::new(end.body, point(end), line(own), Vec3::Z);
                 let [first, second] = [marker(pair[0], first), marker(pair[1], second)];
-                Joint::new(&joint.name, SpatialKind::from_word("prismatic")?, first?, second?)
+                Joint::new(&joint.name, Prismatic, first?, second?)
             }
             _ => return None,
         };

@@ -3,8 +3,8 @@
 use crate::build::{Build, v};
 use crate::random::Random;
 use loosepin_space::{
-    CylindricalPlay, Marker, PointOutput, Quaternion, RevolutePlay, Rotation, RotationOutput, SpatialKind,
-    SpatialMechanism, SpatialOutput, SphericalPlay, Vec3,
+    CylindricalPlay, Marker, PointOutput, Quaternion, RevolutePlay, Rotation, RotationOutput, SpatialMechanism,
+    SpatialOutput, SphericalPlay, Vec3,
 };
 
 /// A way to draw a mechanism; the number is the share of joints that have play.
@@ -107,7 +107,7 @@ fn closed_loop(random: &mut Random, share: f64, kinds: &[&str]) -> Build {
 
 fn universal(build: Build, pair: [usize; 2], point: Vec3, first: Vec3, second: Vec3) -> Build {
     let marker = |body, axis| Marker::along(body, point, axis).unwrap();
-    let kind = SpatialKind::from_word("universal").unwrap();
+    let kind = crate::build::kind("universal");
     build.push(kind, marker(pair[0], first), marker(pair[1], second))
 }
 

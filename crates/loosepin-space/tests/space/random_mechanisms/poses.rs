@@ -4,7 +4,7 @@
 //! In axes A of the bearing d = Aᵀ(P_j - P_i), b = Aᵀz_j: slope w = b_12/b_3, e = d_12 - d_3 w, u = e ± w l/2, α = d_3; balls have |d| <= c.
 
 use super::linear::{Columns, Jacobi, add, times};
-use loosepin_space::{JointCoordinate, KindOfJoint, Rotation, SpatialMechanism, SpatialOutput, SpatialPlay, Vec3};
+use loosepin_space::{JointCoordinate, Rotation, SpatialMechanism, SpatialOutput, SpatialPlay, Vec3};
 
 /// Singular values below this relative to the largest are zero: central differences leave 1e-10.
 const ZERO: f64 = 1e-7;
