@@ -40,6 +40,8 @@ pub trait Geometry: Copy + Debug + 'static {
     type Turning<T: Real>: Copy + Debug;
     /// The turn of a body from the ground.
     type Rotation<T: Real>: Copy + Debug;
+    /// How the marker of a joint lies in its body: the angle of its direction, rad, or the turn of its axes.
+    type Marker<T: Real>: Copy + Debug;
     /// How the axes of a joint lie in its two bodies.
     type Mount<T: Real>: Copy + Debug;
     /// Moments of inertia about the centre of mass in the axes of the body, kg m².
@@ -99,6 +101,8 @@ pub trait Geometry: Copy + Debug + 'static {
 
     /// The unit vector along x, y, or in space z.
     fn unit<T: Real>(index: usize) -> Self::Vector<T>;
+    /// The spin of a turning for a unit speed.
+    fn spin<T: Real>(turning: Self::Turning<T>) -> Self::Spin<T>;
     /// No spin.
     fn at_rest<T: Real>() -> Self::Spin<T>;
     /// No turning.

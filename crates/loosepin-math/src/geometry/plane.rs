@@ -110,6 +110,7 @@ impl Geometry for Plane {
     type Spin<T: Real> = T;
     type Turning<T: Real> = f64;
     type Rotation<T: Real> = PlaneRotation<T>;
+    type Marker<T: Real> = T;
     type Mount<T: Real> = PlaneMount<T>;
     type Inertia<T: Real> = T;
     type Swing<T: Real> = PlaneSwing<T>;
@@ -187,6 +188,10 @@ impl Geometry for Plane {
     #[inline(always)]
     fn unit<T: Real>(index: usize) -> Vec2<T> {
         if index == 0 { Vec2::new(T::one(), T::zero()) } else { Vec2::new(T::zero(), T::one()) }
+    }
+    #[inline(always)]
+    fn spin<T: Real>(turning: f64) -> T {
+        T::from_f64(turning)
     }
     #[inline(always)]
     fn at_rest<T: Real>() -> T {

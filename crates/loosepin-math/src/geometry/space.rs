@@ -126,6 +126,7 @@ impl Geometry for Space {
     type Spin<T: Real> = Vec3<T>;
     type Turning<T: Real> = Vec3<T>;
     type Rotation<T: Real> = Rotation<T>;
+    type Marker<T: Real> = Rotation<T>;
     type Mount<T: Real> = SpaceMount<T>;
     type Inertia<T: Real> = SpaceInertia<T>;
     type Swing<T: Real> = SpaceSwing<T>;
@@ -228,6 +229,10 @@ impl Geometry for Space {
     fn unit<T: Real>(index: usize) -> Vec3<T> {
         let entry = |own: usize| if own == index { T::one() } else { T::zero() };
         Vec3::new(entry(0), entry(1), entry(2))
+    }
+    #[inline(always)]
+    fn spin<T: Real>(turning: Vec3<T>) -> Vec3<T> {
+        turning
     }
     #[inline(always)]
     fn at_rest<T: Real>() -> Vec3<T> {

@@ -2,6 +2,7 @@
 
 use super::ldl::{factor_ldl, solve_ldl};
 use crate::Real;
+use core::ops::Range;
 
 /// Addition to the diagonal, as a share of the scale of its row. Round-off leaves 1e-16 of a sum that vanishes.
 const REGULARISATION: f64 = 1e-10;
@@ -24,16 +25,16 @@ pub struct GramSystem<T> {
     /// M⁻¹ Jᵀ, one row of n for each constraint.
     mobilities: Vec<T>,
     order: usize,
-    /// The two rows (or one, twice) whose diagonal entries are the scale of a row.
-    scales: Vec<[usize; 2]>,
+    /// The rows whose diagonal entries together are the scale of a row; of a row alone twice its own.
+    scales: Vec<Range<usize>>,
     factors: Vec<T>,
     right: Vec<T>,
     change: Vec<T>,
 }
 
 impl<T: Real> GramSystem<T> {
-    /// Room for constraints over `coordinates`: for each row, the rows that share its scale, or the row itself twice.
-    pub fn new(scales: Vec<[usize; 2]>, coordinates: usize) -> Self {
+    /// Room for constraints over `coordinates`: for each row, the rows that share its scale.
+    pub fn new(scales: Vec<Range<usize>>, coordinates: usize) -> Self {
         let order = scales.len();
         Self {
             matrix: vec![T::zero(); order * order],
@@ -90,8 +91,9 @@ impl<T: Real> GramSystem<T> {
         let n = self.order;
         self.factors.copy_from_slice(&self.matrix);
         for row in 0..n {
-            let [first, second] = self.scales[row].map(|row| self.matrix[row * n + row]);
-            let scale = first + second;
+            let mut diagonal = self.scales[row].clone().map(|row| self.matrix[row * n + row]);
+            let first = diagonal.next().unwrap_or(T::zero());
+            let scale = diagonal.reduce(|sum, entry| sum + entry).map_or(first + first, |rest| first + rest);
             let raised = scale.mul_add(T::from_f64(REGULARISATION), self.matrix[row * n + row]);
             // Rows of zeros belong to driven coordinates alone: any pivot gives them λ = 0.
             self.factors[row * n + row] = T::select(T::zero().less_than(scale), raised, T::one());
@@ -134,7 +136,7 @@ mod tests {
 
     /// The x = Jᵀ λ that `rows` demand of a target.
     fn solution(rows: &[[f64; 3]], target: &[f64; 3]) -> [f64; 3] {
-        let mut system = GramSystem::new((0..rows.len()).map(|row| [row, row]).collect(), 3);
+        let mut system = GramSystem::new((0..rows.len()).map(|row| row..row + 1).collect(), 3);
         let mut multipliers: Vec<f64> = rows.iter().map(|row| dot(row, target)).collect();
         let jacobian: Vec<f64> = rows.concat();
         system.set(&jacobian, 3, &[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0], 3);
@@ -168,7 +170,7 @@ mod tests {
     fn identity_a_direction_that_vanishes_is_left_alone() {
         // Both rows are components of one vector; the first one vanishes with its direction, its defect is round-off.
         let (small, round_off) = (1e-9, 1e-16);
-        let mut system = GramSystem::new(vec![[0, 1], [0, 1]], 2);
+        let mut system = GramSystem::new(vec![0..2, 0..2], 2);
         system.set(&[small, 0.0, 0.3, 1.2], 2, &[1.0, 0.0, 0.0, 1.0], 2);
         let mut multipliers = [round_off, 0.7];
         system.solve(&mut multipliers);

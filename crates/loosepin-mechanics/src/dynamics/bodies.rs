@@ -9,6 +9,7 @@
 //! ```
 
 use crate::mechanism::{Kinematics, Tree, TreeGeometry, TreeNumbers, acceleration_at};
+use core::ops::Range;
 use loosepin_math::{Envelope, Geometry, GramSystem, Plane, Real, Vector};
 
 /// Partial velocity of a centre of mass, and the swing of a body, for a coordinate.
@@ -41,7 +42,7 @@ pub struct BodyEquations<T: Real, G: TreeGeometry = Plane> {
 
 impl<T: Real, G: TreeGeometry> BodyEquations<T, G> {
     /// Room for `tree`. For each constraint row, `scales` has the rows with the same scale.
-    pub fn new(tree: &Tree<G>, scales: Vec<[usize; 2]>) -> Self {
+    pub fn new(tree: &Tree<G>, scales: Vec<Range<usize>>) -> Self {
         let (free, speeds, rows) = (tree.free_speeds, tree.speeds(), scales.len());
         Self {
             accelerations: vec![T::zero(); free],

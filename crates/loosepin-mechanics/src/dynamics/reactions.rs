@@ -3,7 +3,7 @@
 use super::equations::Dynamics;
 use crate::dynamics::play::contact_motion::ContactMotion;
 use crate::dynamics::play::flanks;
-use crate::mechanism::{CouplingGeometry, CouplingPlace, PointRowsAtState, acceleration_at};
+use crate::mechanism::{CouplingGeometry, CouplingPlace, Cut, acceleration_at, constraints};
 use crate::model::{JointId, PlayId};
 use loosepin_math::{Real, Vec2, solve_ldl};
 
@@ -203,23 +203,14 @@ impl<T: Real> Dynamics<'_, T> {
         control.map_or(Vec2::zero(), |control| self.actuators[control].on_second_n)
     }
 
-    /// Forces of the cut joints on their second bodies, N: λ times the gradient with respect to the second point.
+    /// Forces of the cut joints on their second bodies, N: of the constraints, and friction along guides.
     fn cut_forces_n(&self) -> Vec<Vec2<T>> {
-        let tree = &self.mechanism.real;
-        let mut row = 0;
-        tree.cuts
-            .iter()
-            .zip(&self.sample.real.cuts)
-            .map(|(cut, numbers)| {
-                let keeps = cut.rows.keeps;
-                let poses = cut.slots.map(|slot| &self.kinematics.poses[slot]);
-                let gap_m = poses[1].point_m(numbers.arms_m[1]) - poses[0].point_m(numbers.arms_m[0]);
-                let mut multipliers_n = [T::zero(); 2];
-                multipliers_n[..keeps.count()].copy_from_slice(&self.equations.multipliers[row..row + keeps.count()]);
-                row += cut.rows.count();
-                let force_n = PointRowsAtState::at(keeps, numbers, poses[0].angle_rad(), gap_m).force_n(multipliers_n);
-                if cut.rows.is_on_line() { force_n + self.guide_friction_n(cut.joint) } else { force_n }
-            })
-            .collect()
+        let (tree, model) = (&self.mechanism.real, &self.mechanism.model);
+        let forces = constraints::cut_forces_n(tree, &self.sample.real, &self.kinematics, &self.equations.multipliers);
+        let with_friction = |(cut, force_n): (&Cut, Vec2<T>)| {
+            let has_line = model.joints[cut.joint.0].kind.line().is_some();
+            if has_line { force_n + self.guide_friction_n(cut.joint) } else { force_n }
+        };
+        tree.cuts.iter().zip(forces).map(with_friction).collect()
     }
 }

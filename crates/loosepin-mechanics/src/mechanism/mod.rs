@@ -13,8 +13,8 @@ mod lane_sample;
 mod loops;
 mod parts;
 mod play_shape;
-mod point_rows;
 mod position;
+mod row;
 mod sample;
 mod tree;
 
@@ -46,10 +46,10 @@ pub use parts::spring::{ElasticNumbers, SpringGeometry};
 pub use parts::stressed::{SectionNumbers, StressedBody};
 pub(crate) use play_shape::ask_shape;
 pub use play_shape::{CircularSlotShape, PinShape, PlayForm, PlayFreedom, PlayShape, SliderBlock, SlotShape};
-pub use point_rows::PointRowsAtState;
+pub use row::{CutState, RowAt, RowGeometry, cut_biases, cut_jacobian, cut_residuals};
 pub use sample::{PlayGeometry, Sample};
 pub use tree::beam::{BeamPlace, TreeBeam};
-pub use tree::cut_geometry::CutGeometry;
+pub use tree::cut_numbers::CutNumbers;
 
 pub use tree::kinematics::{Column, Kinematics, Pose, Twist, acceleration_at};
 pub use tree::motion_branches::MotionBranches;

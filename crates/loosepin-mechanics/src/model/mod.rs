@@ -33,8 +33,8 @@ pub use drive::{
 };
 pub use ids::{Actuator, Axis, BodyId, ContactId, ControlId, DriveId, JointId, PlayId, PointId};
 pub use joint::{
-    AtBeam, CircularSlot, CircularSlotClearance, Clearance, GuideClearance, IdealRows, JointKind, JointPlay,
-    KindOfJoint, Line, NotDriven, PlayParts, PointConstraint, Prismatic, Revolute, Rigid, Slot, SlotClearance,
+    AtBeam, CircularSlot, CircularSlotClearance, Clearance, GuideClearance, JointKind, JointPlay, KindOfJoint, Line,
+    MarkerAxis, NotDriven, PlaneRow, PlayParts, Prismatic, Revolute, Rigid, Row, Slot, SlotClearance, SpaceRow,
     TreeAttachment,
 };
 pub use load::{

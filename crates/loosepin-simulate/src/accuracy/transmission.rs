@@ -68,9 +68,9 @@ fn scaled_matrix(mechanism: &Mechanism, motion: &IdealMotion<'_>) -> Vec<f64> {
 fn is_angle_row(mechanism: &Mechanism, row: usize) -> bool {
     let mut first = 0;
     for cut in &mechanism.ideal.cuts {
-        let end = first + cut.rows.count();
+        let end = first + cut.count();
         if row < end {
-            return cut.rows.is_angle(row - first);
+            return cut.is_angle(row - first);
         }
         first = end;
     }

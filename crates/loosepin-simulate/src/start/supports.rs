@@ -61,7 +61,7 @@ fn held_against(model: &Model, values: &Values, hold: &Hold, base: &Hold) -> Opt
         return Some(Held::Sideways);
     }
     // Guides between both bodies, with their direction in the frame of the first one.
-    let guides = model.joints.iter().filter(|joint| joint.kind.line().is_some() && joint.kind.rows().holds_angle);
+    let guides = model.joints.iter().filter(|joint| joint.kind.line().is_some() && joint.kind.holds_angle());
     let guides = guides.filter_map(|joint| {
         let own = joint.kind.bodies().into_iter().position(|body| body == base.to)?;
         let is_between = joint.kind.bodies()[1 - own] == hold.to;

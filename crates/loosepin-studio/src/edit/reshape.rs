@@ -228,5 +228,5 @@ pub fn length([x, y]: [f64; 2]) -> f64 {
 
 /// Whether `body` slides along a line of another one and does not turn against it.
 fn is_block_of(kind: &JointKind, body: BodyId) -> bool {
-    kind.line().is_some() && kind.rows().holds_angle && kind.bodies()[1] == body
+    kind.line().is_some() && kind.holds_angle() && kind.bodies()[1] == body
 }

@@ -103,7 +103,7 @@ impl<T: Real> JointFrictions<T> {
                     if cut.joint == joint {
                         carrier = Some(Carrier::Cut { row });
                     }
-                    row += cut.rows.count();
+                    row += cut.count();
                 }
                 let carrier = carrier.unwrap_or_else(|| {
                     let mut beyond = vec![false; tree.links.len() + 1];

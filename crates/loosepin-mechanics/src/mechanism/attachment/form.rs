@@ -1,14 +1,16 @@
 //! What every kind of attachment adds to a tree.
 
-use crate::model::JointId;
+use crate::model::{JointId, Row};
 use core::fmt::Debug;
 use core::ops::Range;
 use loosepin_math::Geometry;
 
-/// A geometry with the attachments that there are in it.
+/// A geometry with the attachments and the conditions of joints that there are in it.
 pub trait TreeGeometry: Geometry {
     /// All of them.
     type Attachment: FormOfAttachment<Self>;
+    /// All conditions that joints put on two bodies.
+    type Row: Row;
 }
 
 /// How a body hangs on its parent, before it moves.

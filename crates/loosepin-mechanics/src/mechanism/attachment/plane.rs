@@ -9,6 +9,7 @@ use super::revolute::Revolute;
 use super::rigid::Rigid;
 use super::section::Section;
 use crate::mechanism::tree::numbers::LinkNumbers;
+use crate::model::PlaneRow;
 use loosepin_math::{Plane, PlaneMount, Real, Vec2};
 
 attachments! {
@@ -56,4 +57,5 @@ impl PlaneAttachment {
 
 impl TreeGeometry for Plane {
     type Attachment = PlaneAttachment;
+    type Row = PlaneRow;
 }

@@ -7,6 +7,7 @@ use super::list::attachments;
 use super::prismatic::Prismatic;
 use super::revolute::Revolute;
 use super::rigid::Rigid;
+use crate::model::SpaceRow;
 use loosepin_math::Space;
 
 attachments! {
@@ -16,4 +17,5 @@ attachments! {
 
 impl TreeGeometry for Space {
     type Attachment = SpaceAttachment;
+    type Row = SpaceRow;
 }

@@ -99,7 +99,7 @@ fn guide(
     let of_cut = || {
         let cut = tree.cuts.iter().position(|cut| cut.joint == joint)?;
         let numbers = &geometry.cuts[cut];
-        Some((numbers.arms_m, numbers.angles_rad[0]))
+        Some((numbers.arms_m, numbers.markers[0]))
     };
     let (arms_m, line_rad) = of_link.or_else(of_cut)?;
     Some((slots, arms_m, line_rad))

@@ -1,12 +1,14 @@
 //! The constraints of ideal joints that close loops and of couplings: residual, Jacobian and acceleration bias.
 
-use crate::mechanism::point_rows::PointRowsAtState;
-use crate::mechanism::tree::cut_geometry::CutGeometry;
-use crate::mechanism::tree::kinematics::{Kinematics, Pose, acceleration_at};
+use crate::mechanism::row::{
+    CutState, RowAt, RowGeometry, cut_biases, cut_gradient, cut_jacobian, cut_residuals, turn_rad,
+};
+use crate::mechanism::tree::cut_numbers::CutNumbers;
+use crate::mechanism::tree::kinematics::Kinematics;
 use crate::mechanism::tree::numbers::TreeNumbers;
-use crate::mechanism::tree::spanning_tree::Tree;
-use crate::model::{JointId, Model, describe_path};
-use loosepin_math::{Real, Vec2};
+use crate::mechanism::tree::spanning_tree::{Cut, Tree};
+use crate::model::{JointId, Model, Row, describe_path};
+use loosepin_math::{Plane, Real, Vec2};
 use loosepin_text::units::{Dimension, format_value};
 use std::fmt;
 
@@ -14,27 +16,10 @@ use std::fmt;
 /// angle for bodies that should not turn against each other. Then those of all couplings, rad or m.
 #[inline(never)]
 pub fn residuals<T: Real>(tree: &Tree, geometry: &TreeNumbers<T>, kinematics: &Kinematics<T>, out: &mut [T]) {
-    let mut row = 0;
-    for (cut, numbers) in tree.cuts.iter().zip(&geometry.cuts) {
-        let poses = cut.slots.map(|slot| kinematics.poses[slot]);
-        let gap = poses[1].point_m(numbers.arms_m[1]) - poses[0].point_m(numbers.arms_m[0]);
-        let keeps = cut.rows.keeps;
-        let residuals = PointRowsAtState::at(keeps, numbers, poses[0].angle_rad(), gap).residuals();
-        out[row..row + keeps.count()].copy_from_slice(&residuals[..keeps.count()]);
-        if cut.rows.holds_angle {
-            out[row + cut.rows.count() - 1] = turn(numbers, &poses).sin_cos().0;
-        }
-        row += cut.rows.count();
-    }
-    for ((places, numbers), out) in tree.couplings.iter().zip(&geometry.couplings).zip(&mut out[row..]) {
+    cut_residuals(tree, geometry, kinematics, out);
+    for ((places, numbers), out) in tree.couplings.iter().zip(&geometry.couplings).zip(&mut out[tree.cut_rows()..]) {
         *out = numbers.residual(places, kinematics);
     }
-}
-
-/// How far the second body of a cut is turned from the first, rad.
-#[inline(always)]
-fn turn<T: Real>(numbers: &CutGeometry<T>, poses: &[Pose<T>; 2]) -> T {
-    poses[1].angle_rad() + numbers.angles_rad[1] - poses[0].angle_rad() - numbers.angles_rad[0]
 }
 
 /// The Jacobian dΦ/dz, row-major, `tree.constraint_rows()` × `tree.coordinates()` (driven coordinates last).
@@ -42,36 +27,10 @@ fn turn<T: Real>(numbers: &CutGeometry<T>, poses: &[Pose<T>; 2]) -> T {
 pub fn jacobian<T: Real>(tree: &Tree, geometry: &TreeNumbers<T>, kinematics: &Kinematics<T>, out: &mut [T]) {
     let columns = tree.coordinates();
     out.fill(T::zero());
-    let mut row = 0;
-    for (cut, numbers) in tree.cuts.iter().zip(&geometry.cuts) {
-        let poses = cut.slots.map(|slot| kinematics.poses[slot]);
-        let arms = [0, 1].map(|side| poses[side].turn(numbers.arms_m[side]));
-        let gap = poses[1].position_m + arms[1] - poses[0].position_m - arms[0];
-        let keeps = cut.rows.keeps;
-        let kept = PointRowsAtState::at(keeps, numbers, poses[0].angle_rad(), gap);
-        let turn_cosine = if cut.rows.holds_angle { turn(numbers, &poses).sin_cos().1 } else { T::zero() };
-        for (side, sign) in [(0, -T::one()), (1, T::one())] {
-            let slot = cut.slots[side];
-            if slot == 0 {
-                continue;
-            }
-            for velocities in kinematics.columns(tree, slot) {
-                let (column, turning) = (velocities.coordinate, T::from_f64(velocities.turning));
-                let velocity = velocities.at(arms[side]) * sign;
-                let rates = kept.rates(velocity, (side == 0).then_some(turning));
-                for (k, rate) in rates.into_iter().enumerate().take(keeps.count()) {
-                    out[(row + k) * columns + column] += rate;
-                }
-                if cut.rows.holds_angle {
-                    out[(row + cut.rows.count() - 1) * columns + column] += turning * sign * turn_cosine;
-                }
-            }
-        }
-        row += cut.rows.count();
-    }
-    for (places, numbers) in tree.couplings.iter().zip(&geometry.couplings) {
-        numbers.add_gradient(places, tree, kinematics, &mut out[row * columns..(row + 1) * columns]);
-        row += 1;
+    cut_jacobian(tree, geometry, kinematics, out);
+    let of_couplings = out[tree.cut_rows() * columns..].chunks_exact_mut(columns.max(1));
+    for ((places, numbers), out) in tree.couplings.iter().zip(&geometry.couplings).zip(of_couplings) {
+        numbers.add_gradient(places, tree, kinematics, out);
     }
 }
 
@@ -87,32 +46,12 @@ pub fn gradient<T: Real>(
     out: &mut [T],
 ) {
     out.fill(T::zero());
-    let mut row = 0;
-    for (cut, numbers) in tree.cuts.iter().zip(&geometry.cuts) {
-        let sides = cut.slots.map(&moves);
-        if sides[0] != sides[1] {
-            let (side, sign) = if sides[1] { (1, T::one()) } else { (0, -T::one()) };
-            let poses = cut.slots.map(|slot| kinematics.poses[slot]);
-            let arms = [0, 1].map(|side| poses[side].turn(numbers.arms_m[side]));
-            let (linear, spin) = motion(cut.slots[side]);
-            let velocity = linear.plus(arms[side].turned(), spin) * sign;
-            let gap = poses[1].position_m + arms[1] - poses[0].position_m - arms[0];
-            let keeps = cut.rows.keeps;
-            let kept = PointRowsAtState::at(keeps, numbers, poses[0].angle_rad(), gap);
-            let rates = kept.rates(velocity, (side == 0).then_some(spin));
-            out[row..row + keeps.count()].copy_from_slice(&rates[..keeps.count()]);
-            if cut.rows.holds_angle {
-                out[row + cut.rows.count() - 1] = spin * sign * turn(numbers, &poses).sin_cos().1;
-            }
-        }
-        row += cut.rows.count();
-    }
+    cut_gradient(tree, geometry, kinematics, &moves, &motion, out);
     let of = |slot: usize| if moves(slot) { motion(slot) } else { (Vec2::zero(), T::zero()) };
-    for (places, numbers) in tree.couplings.iter().zip(&geometry.couplings) {
+    for ((places, numbers), out) in tree.couplings.iter().zip(&geometry.couplings).zip(&mut out[tree.cut_rows()..]) {
         let [first, second] =
             [0, 1].map(|side| numbers.joints[side].rate(&places[side], kinematics, places[side].slots.map(of)));
-        out[row] = second - numbers.slope(places, kinematics) * first;
-        row += 1;
+        *out = second - numbers.slope(places, kinematics) * first;
     }
 }
 
@@ -122,43 +61,43 @@ pub fn gradient<T: Real>(
 pub fn turn_cosine<T: Real>(tree: &Tree, geometry: &TreeNumbers<T>, kinematics: &Kinematics<T>, row: usize) -> T {
     let mut first = 0;
     let index = tree.cuts.iter().position(|cut| {
-        first += cut.rows.count();
+        first += cut.count();
         row < first
     });
     let Some(index) = index else { return T::one() };
-    let (cut, numbers) = (&tree.cuts[index], &geometry.cuts[index]);
-    let poses = cut.slots.map(|slot| kinematics.poses[slot]);
-    turn(numbers, &poses).sin_cos().1
+    let poses = tree.cuts[index].slots.map(|slot| &kinematics.poses[slot]);
+    turn_rad(&geometry.cuts[index], poses).sin_cos().1
 }
 
 /// d²Φ/dt² when the free coordinates have no acceleration. Needs the biases of `kinematics`.
 #[inline(never)]
 pub fn biases<T: Real>(tree: &Tree, geometry: &TreeNumbers<T>, kinematics: &Kinematics<T>, out: &mut [T]) {
-    let mut row = 0;
-    for (cut, numbers) in tree.cuts.iter().zip(&geometry.cuts) {
-        let arms = [0, 1].map(|side| kinematics.poses[cut.slots[side]].turn(numbers.arms_m[side]));
-        let poses = cut.slots.map(|slot| kinematics.poses[slot]);
-        let twists = cut.slots.map(|slot| kinematics.twists[slot]);
-        let changes = cut.slots.map(|slot| kinematics.biases[slot]);
-        let acceleration =
-            acceleration_at(&changes[1], &twists[1], arms[1]) - acceleration_at(&changes[0], &twists[0], arms[0]);
-        let velocity = twists[1].at(arms[1]) - twists[0].at(arms[0]);
-        let gap = poses[1].position_m + arms[1] - poses[0].position_m - arms[0];
-        let keeps = cut.rows.keeps;
-        let kept = PointRowsAtState::at(keeps, numbers, poses[0].angle_rad(), gap);
-        let biases = kept.biases(velocity, acceleration, [twists[0].angular, changes[0].angular]);
-        out[row..row + keeps.count()].copy_from_slice(&biases[..keeps.count()]);
-        if cut.rows.holds_angle {
-            let (sine, cosine) = turn(numbers, &poses).sin_cos();
-            let spin = twists[1].angular - twists[0].angular;
-            out[row + cut.rows.count() - 1] =
-                cosine * (changes[1].angular - changes[0].angular) - sine * spin.squared();
-        }
-        row += cut.rows.count();
-    }
-    for ((places, numbers), out) in tree.couplings.iter().zip(&geometry.couplings).zip(&mut out[row..]) {
+    cut_biases(tree, geometry, kinematics, out);
+    for ((places, numbers), out) in tree.couplings.iter().zip(&geometry.couplings).zip(&mut out[tree.cut_rows()..]) {
         *out = numbers.bias(places, kinematics);
     }
+}
+
+/// Forces of the cut joints on their second bodies at their points, N, for the multipliers of all constraints.
+pub fn cut_forces_n<T: Real>(
+    tree: &Tree,
+    geometry: &TreeNumbers<T>,
+    kinematics: &Kinematics<T>,
+    multipliers: &[T],
+) -> Vec<Vec2<T>> {
+    let mut first = 0;
+    let of_cut = |(cut, numbers): (&Cut, &CutNumbers<T>)| {
+        let poses = cut.slots.map(|slot| &kinematics.poses[slot]);
+        let gap_m = poses[1].point_m(numbers.arms_m[1]) - poses[0].point_m(numbers.arms_m[0]);
+        let state = CutState { numbers, poses, gap_m };
+        let forces_n = cut.rows.iter().map(|row| {
+            let own = first..first + row.count();
+            first = own.end;
+            Plane::row_at(*row, &state).force_n(&multipliers[own])
+        });
+        forces_n.reduce(|sum, force_n| sum + force_n).unwrap_or(Vec2::zero())
+    };
+    tree.cuts.iter().zip(&geometry.cuts).map(of_cut).collect()
 }
 
 /// The joint or coupling that imposes a constraint row.
@@ -175,7 +114,7 @@ impl RowOwner {
     pub fn of(tree: &Tree, row: usize) -> Self {
         let mut first = 0;
         for cut in &tree.cuts {
-            first += cut.rows.count();
+            first += cut.count();
             if row < first {
                 return Self::Joint(cut.joint);
             }
@@ -225,11 +164,11 @@ impl LargestResidual {
         let mut gaps: Vec<(usize, f64)> = Vec::with_capacity(residuals.len());
         let mut row = 0;
         for cut in &tree.cuts {
-            let kept = cut.rows.keeps.count();
-            let distance = |gap: f64, row: &f64| gap.hypot(*row);
-            gaps.extend((kept > 0).then(|| (row, residuals[row..row + kept].iter().fold(0.0, distance))));
-            gaps.extend((row + kept..row + cut.rows.count()).map(|row| (row, residuals[row].abs())));
-            row += cut.rows.count();
+            for kept in cut.rows {
+                let distance = |gap: f64, row: &f64| gap.hypot(*row);
+                gaps.push((row, residuals[row..row + kept.count()].iter().fold(0.0, distance)));
+                row += kept.count();
+            }
         }
         gaps.extend((row..residuals.len()).map(|row| (row, residuals[row].abs())));
         let Some((row, gap)) = gaps.into_iter().max_by(|a, b| a.1.total_cmp(&b.1)) else {
@@ -245,7 +184,7 @@ impl LargestResidual {
 pub fn largest_relative_residual(model: &Model, tree: &Tree, residuals: &[f64], size_m: f64) -> (String, f64) {
     let mut units = Vec::with_capacity(residuals.len());
     for cut in &tree.cuts {
-        units.extend((0..cut.rows.count()).map(|row| if cut.rows.is_angle(row) { 1.0 } else { size_m }));
+        units.extend((0..cut.count()).map(|row| if cut.is_angle(row) { 1.0 } else { size_m }));
     }
     for index in &tree.coupling_indices {
         let is_length = RowOwner::Coupling(*index).dimension(model) == Dimension::LENGTH;

@@ -5,11 +5,11 @@ use crate::mechanism::error::MechanismError;
 use crate::mechanism::loops::constraints::LargestResidual;
 use crate::mechanism::parts::drive::Drives;
 use crate::mechanism::parts::drive_place::drive_place;
-use crate::mechanism::tree::cut_geometry::CutGeometry;
+use crate::mechanism::tree::cut_numbers::CutNumbers;
 use crate::mechanism::tree::kinematics::{Kinematics, Pose};
 use crate::mechanism::tree::numbers::TreeNumbers;
 use crate::mechanism::tree::spanning_tree::{Cut, Tree};
-use crate::model::{Model, Values};
+use crate::model::{Model, PlaneRow, Values};
 use loosepin_math::solve_sparse_symmetric;
 
 /// Starting points tried: the hinted one, then others spread over the circle.
@@ -299,7 +299,7 @@ fn unwind(
     for _ in 0..tree.cuts.len() {
         let wound = tree.cuts.iter().zip(&geometry.cuts).find_map(|(cut, numbers)| {
             let turn = turns(cut_turn_rad(cut, numbers, kinematics));
-            (cut.rows.holds_angle && turn != 0.0).then_some((cut, turn))
+            (holds_angle(cut) && turn != 0.0).then_some((cut, turn))
         });
         let Some((cut, turn)) = wound else { return };
         match (carrier(cut.slots[1]), carrier(cut.slots[0])) {
@@ -311,11 +311,16 @@ fn unwind(
     }
 }
 
+/// Whether the bodies of a cut joint do not turn against each other.
+fn holds_angle(cut: &Cut) -> bool {
+    cut.rows.contains(&PlaneRow::Angle)
+}
+
 /// Angle by which a cut joint's second body is turned against its first, rad: zero where the joint is closed.
-fn cut_turn_rad(cut: &Cut, numbers: &CutGeometry<f64>, kinematics: &Kinematics<f64>) -> f64 {
-    kinematics.poses[cut.slots[1]].angle_rad() + numbers.angles_rad[1]
+fn cut_turn_rad(cut: &Cut, numbers: &CutNumbers<f64>, kinematics: &Kinematics<f64>) -> f64 {
+    kinematics.poses[cut.slots[1]].angle_rad() + numbers.markers[1]
         - kinematics.poses[cut.slots[0]].angle_rad()
-        - numbers.angles_rad[0]
+        - numbers.markers[0]
 }
 
 /// Whether a body stands more than half a turn from zero in a mechanism with couplings: the same position, its wheels in mesh with
@@ -335,8 +340,8 @@ fn all_face_the_right_way(tree: &Tree, geometry: &TreeNumbers<f64>, kinematics: 
 
 /// The first cut whose bodies are turned by a half turn against each other.
 fn turned_cut<'t>(tree: &'t Tree, geometry: &TreeNumbers<f64>, kinematics: &Kinematics<f64>) -> Option<&'t Cut> {
-    let is_turned = |(cut, numbers): &(&Cut, &CutGeometry<f64>)| {
-        cut.rows.holds_angle && !(cut_turn_rad(cut, numbers, kinematics).cos() > 0.0)
+    let is_turned = |(cut, numbers): &(&Cut, &CutNumbers<f64>)| {
+        holds_angle(cut) && !(cut_turn_rad(cut, numbers, kinematics).cos() > 0.0)
     };
     tree.cuts.iter().zip(&geometry.cuts).find(is_turned).map(|(cut, _)| cut)
 }

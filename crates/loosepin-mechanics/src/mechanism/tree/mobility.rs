@@ -131,8 +131,8 @@ impl Scale {
     /// Scale of the constraint rows and all coordinates of `tree`.
     pub(in crate::mechanism) fn new(tree: &Tree, size_m: f64) -> Self {
         let of_cut = |cut: &Cut| {
-            let rows = cut.rows;
-            (0..rows.count()).map(move |row| !rows.is_angle(row))
+            let cut = *cut;
+            (0..cut.count()).map(move |row| !cut.is_angle(row))
         };
         let of_couplings = tree.couplings.iter().map(|places| places[1].is_prismatic);
         let mut columns_are_lengths = vec![false; tree.coordinates()];

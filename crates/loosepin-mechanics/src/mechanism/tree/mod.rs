@@ -6,7 +6,7 @@ pub(in crate::mechanism) mod beam;
 pub(in crate::mechanism) mod beam_points;
 pub(in crate::mechanism) mod blocking;
 mod build;
-pub(in crate::mechanism) mod cut_geometry;
+pub(in crate::mechanism) mod cut_numbers;
 pub(in crate::mechanism) mod kinematics;
 pub(in crate::mechanism) mod mobility;
 mod motion;

@@ -2,9 +2,9 @@
 
 use crate::mechanism::loops::coupling_geometry::CouplingGeometry;
 use crate::mechanism::parts::nodal_geometry::NodalGeometry;
-use crate::mechanism::point_rows::displace;
+use crate::mechanism::row::displace;
 use crate::mechanism::tree::beam::{BeamPlace, TreeBeam};
-use crate::mechanism::tree::cut_geometry::{CutGeometry, line_angles_rad};
+use crate::mechanism::tree::cut_numbers::{CutNumbers, line_angles_rad};
 use crate::mechanism::tree::points::numbered_point_m;
 use crate::mechanism::tree::spanning_tree::Tree;
 use crate::model::{BodyId, JointId, LumpedMass as BeamLump, Model, PlayId, PointId, QuantityId, Values};
@@ -62,7 +62,7 @@ pub struct TreeNumbers<T: Real, G: Geometry = Plane> {
     /// One for each link.
     pub links: Vec<LinkNumbers<T, G>>,
     /// One for each cut joint.
-    pub cuts: Vec<CutGeometry<T>>,
+    pub cuts: Vec<CutNumbers<T, G>>,
     /// One for each ideal coupling.
     pub couplings: Vec<CouplingGeometry<T>>,
     /// One for each flexible body of the tree.
@@ -191,7 +191,7 @@ impl<T: Real> TreeNumbers<T> {
                 geometry
             })
             .collect();
-        let cuts = tree.cuts.iter().map(|cut| CutGeometry::new(model, cut.joint, number)).collect();
+        let cuts = tree.cuts.iter().map(|cut| CutNumbers::new(model, cut.joint, number)).collect();
         let gravity_m_s2 = Vec2::new(T::zero(), -number(model.gravity_m_s2));
         let coupling = |&index: &usize| CouplingGeometry::new(model, &model.couplings[index], number);
         let couplings = tree.coupling_indices.iter().map(coupling).collect();
@@ -266,7 +266,7 @@ impl<T: Real> TreeNumbers<T> {
         }
         for ((cut, geometry), centred) in tree.cuts.iter().zip(&mut self.cuts).zip(&centred.cuts) {
             if cut.joint == joint {
-                displace(cut.rows.keeps, geometry, displacement, centred);
+                displace(cut.rows, geometry, displacement, centred);
             }
         }
     }

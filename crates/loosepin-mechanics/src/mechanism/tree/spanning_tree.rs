@@ -3,7 +3,7 @@
 use crate::mechanism::attachment::{FormOfAttachment, TreeGeometry};
 use crate::mechanism::tree::beam::TreeBeam;
 use crate::mechanism::tree::nodal_beam::TreeNodalBeam;
-use crate::model::{BodyId, DriveId, IdealRows, JointId, Model, PointId};
+use crate::model::{BodyId, DriveId, JointId, Model, PointId, Row};
 use core::ops::Range;
 use loosepin_flexible::Frame;
 use loosepin_math::{Envelope, Plane};
@@ -60,14 +60,36 @@ impl<G: TreeGeometry> Link<G> {
 }
 
 /// An ideal joint that closes a loop: a constraint between two bodies of the tree.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Cut {
+#[derive(Debug, Clone, Copy)]
+pub struct Cut<G: TreeGeometry = Plane> {
     /// The joint.
     pub joint: JointId,
     /// Slots of its first and second body.
     pub slots: [usize; 2],
-    /// The constraints that it is.
-    pub rows: IdealRows,
+    /// The conditions that it is.
+    pub rows: &'static [G::Row],
+}
+
+impl<G: TreeGeometry> Cut<G> {
+    /// Number of scalar constraints.
+    #[inline(always)]
+    pub fn count(&self) -> usize {
+        self.rows.iter().map(|row| row.count()).sum()
+    }
+
+    /// The condition that scalar constraint `number` belongs to.
+    fn row(&self, mut number: usize) -> Option<G::Row> {
+        self.rows.iter().copied().find(|row| {
+            let is_it = number < row.count();
+            number = number.wrapping_sub(row.count());
+            is_it
+        })
+    }
+
+    /// Whether scalar constraint `number` is an angle; the others are lengths.
+    pub fn is_angle(&self, number: usize) -> bool {
+        self.row(number).is_some_and(Row::is_angle)
+    }
 }
 
 /// Place of a joint in a tree.
@@ -106,7 +128,7 @@ pub struct Tree<G: TreeGeometry = Plane> {
     /// The drive of each driven coordinate.
     pub drives: Vec<DriveId>,
     /// Ideal joints that close loops, in file order.
-    pub cuts: Vec<Cut>,
+    pub cuts: Vec<Cut<G>>,
     /// Places of the ideal couplings, in file order.
     pub couplings: Vec<CouplingPlace>,
     /// Indices of the couplings in the model.
@@ -150,6 +172,37 @@ impl<G: TreeGeometry> Tree<G> {
         if slot == 0 { &[] } else { &self.links[slot - 1].dependences }
     }
 
+    /// Number of coordinates, free and driven.
+    pub fn coordinates(&self) -> usize {
+        self.free + self.drives.len()
+    }
+
+    /// Number of scalar constraints: those of the cut joints, then one for each ideal coupling.
+    pub fn constraint_rows(&self) -> usize {
+        self.cut_rows() + self.couplings.len()
+    }
+
+    /// Whether constraints repeat each other: there are more of them than coordinates that they can determine.
+    pub fn is_redundant(&self) -> bool {
+        self.free < self.constraint_rows()
+    }
+
+    /// Number of scalar constraints of the cut joints.
+    pub fn cut_rows(&self) -> usize {
+        self.cuts.iter().map(Cut::count).sum()
+    }
+
+    /// For each scalar constraint, the constraints with the same scale: those of points that coincide together, others alone.
+    pub fn constraint_scales(&self) -> Vec<Range<usize>> {
+        let mut scales: Vec<Range<usize>> = Vec::new();
+        for row in self.cuts.iter().flat_map(|cut| cut.rows) {
+            let own = scales.len()..scales.len() + row.count();
+            scales.extend(core::iter::repeat_n(own, row.count()));
+        }
+        scales.extend((scales.len()..self.constraint_rows()).map(|row| row..row + 1));
+        scales
+    }
+
     /// Number of speeds, free and driven.
     pub fn speeds(&self) -> usize {
         self.free_speeds + self.drives.len()
@@ -180,41 +233,6 @@ impl Tree {
     pub fn coupling_place(&self, model: &Model, index: usize) -> CouplingPlace {
         let coupling = &model.couplings[index];
         [coupling.first, coupling.second].map(|joint| JointPlace::new(model, self, joint))
-    }
-
-    /// Number of coordinates, free and driven.
-    pub fn coordinates(&self) -> usize {
-        self.free + self.drives.len()
-    }
-
-    /// Number of scalar constraints: those of the cut joints, then one for each ideal coupling.
-    pub fn constraint_rows(&self) -> usize {
-        self.cut_rows() + self.couplings.len()
-    }
-
-    /// Whether constraints repeat each other: there are more of them than coordinates that they can determine.
-    pub fn is_redundant(&self) -> bool {
-        self.free < self.constraint_rows()
-    }
-
-    /// Number of scalar constraints of the cut joints.
-    pub fn cut_rows(&self) -> usize {
-        self.cuts.iter().map(|cut| cut.rows.count()).sum()
-    }
-
-    /// For each constraint row, the rows that have the same scale: x and y of a point, or the row itself twice.
-    pub fn constraint_scales(&self) -> Vec<[usize; 2]> {
-        let mut scales = Vec::new();
-        for cut in &self.cuts {
-            let first = scales.len();
-            scales.extend((first..first + cut.rows.count()).map(|row| [row, row]));
-            if cut.rows.keeps.count() == 2 {
-                scales[first] = [first, first + 1];
-                scales[first + 1] = [first, first + 1];
-            }
-        }
-        scales.extend((scales.len()..self.constraint_rows()).map(|row| [row, row]));
-        scales
     }
 
     /// Bodies that bend, in whatever formulation.

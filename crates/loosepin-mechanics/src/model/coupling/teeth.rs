@@ -131,7 +131,7 @@ impl Teeth {
         }
         // A force along the line of a joint that turns as well, such as a slot, is not that of a rack; gears need joints with an angle.
         let kind = reader.joint_kind(joints[1]);
-        if kind.slides() && !kind.rows().holds_angle {
+        if kind.slides() && !kind.holds_angle() {
             let problem = ModelProblem::ForceOnSlot { entry: described(), joint: reader.joint_name(joints[1]) };
             return reader.document().refuse(&problem, span_of(second, table));
         }

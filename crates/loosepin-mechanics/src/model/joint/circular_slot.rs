@@ -1,8 +1,9 @@
 //! A pin runs and turns in a slot along a circle; with a clearance it has play.
 
 use super::clearance::CircularSlotClearance;
-use super::kind::{AtBeam, IdealRows, KindOfJoint, NotDriven, PlayParts, PointConstraint, TreeAttachment};
+use super::kind::{AtBeam, KindOfJoint, NotDriven, PlayParts, TreeAttachment};
 use super::reading::{JointReader, PlayKeys, span_of};
+use super::row::PlaneRow;
 use crate::model::ids::{ContactId, PointId};
 use crate::model::words::part_names::Names;
 use loosepin_text::document::{Entry, Keys, Kind, Table, quantity};
@@ -31,7 +32,7 @@ impl KindOfJoint for CircularSlot {
     const COORDINATE: Option<Dimension> = None;
     // In the tree it would have two coordinates; cut, it is one constraint.
     const TREE_ATTACHMENT: TreeAttachment = TreeAttachment::Never;
-    const ROWS: IdealRows = IdealRows { keeps: PointConstraint::Circle, holds_angle: false };
+    const ROWS: &'static [PlaneRow] = &[PlaneRow::OnCircle];
     const AT_BEAM: AtBeam = AtBeam::Refused("circular slot joint");
     const CONTACT_PLACES: &'static [&'static str] = &["outer flank", "inner flank"];
 

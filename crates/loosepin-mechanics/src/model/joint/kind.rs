@@ -2,6 +2,7 @@
 
 use super::clearance::{CircularSlotClearance, Clearance, GuideClearance, SlotClearance};
 use super::reading::JointReader;
+use super::row::PlaneRow;
 use crate::model::ids::{ContactId, PointId};
 use crate::model::words::part_names::Names;
 use loosepin_text::document::{Keys, Table};
@@ -22,7 +23,7 @@ pub trait KindOfJoint: Sized {
     /// How a body hangs on another by it.
     const TREE_ATTACHMENT: TreeAttachment;
     /// The constraints that it is where it closes a loop.
-    const ROWS: IdealRows;
+    const ROWS: &'static [PlaneRow];
     /// What it is to a flexible body.
     const AT_BEAM: AtBeam;
     /// Names of the places where its parts may touch; empty where there is one alone.
@@ -80,56 +81,6 @@ pub enum TreeAttachment {
     Fixed,
     /// The joint is never in the tree: it is always cut, since it costs fewer constraints than it would have coordinates.
     Never,
-}
-
-/// The scalar constraints of an ideal joint: first those of its points, then one if the bodies do not turn against each other.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct IdealRows {
-    /// Constraint between its points.
-    pub keeps: PointConstraint,
-    /// Whether the last row keeps the bodies from turning against each other.
-    pub holds_angle: bool,
-}
-
-/// Constraint by the first rows of an ideal joint. How is in `mechanism/point_rows`, a file for each.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum PointConstraint {
-    /// Two rows: the points coincide.
-    Points,
-    /// One row: the second point stays on the line.
-    Line,
-    /// One row: the second point stays on a circle about the first.
-    Circle,
-}
-
-impl PointConstraint {
-    /// Number of its rows.
-    #[inline(always)]
-    pub const fn count(self) -> usize {
-        match self {
-            Self::Points => 2,
-            Self::Line | Self::Circle => 1,
-        }
-    }
-}
-
-impl IdealRows {
-    /// Number of scalar constraints.
-    #[inline(always)]
-    pub const fn count(self) -> usize {
-        self.keeps.count() + self.holds_angle as usize
-    }
-
-    /// Whether the first row keeps a point on a straight line.
-    #[inline(always)]
-    pub const fn is_on_line(self) -> bool {
-        matches!(self.keeps, PointConstraint::Line)
-    }
-
-    /// Whether row `row` of them is an angle; the others are lengths.
-    pub const fn is_angle(self, row: usize) -> bool {
-        self.holds_angle && row + 1 == self.count()
-    }
 }
 
 /// Role of a joint for a flexible body at one of its points.

@@ -9,18 +9,18 @@ mod prismatic;
 mod reading;
 mod revolute;
 mod rigid;
+mod row;
 mod slot;
 
 pub use circular_slot::CircularSlot;
 pub use clearance::{CircularSlotClearance, Clearance, GuideClearance, SlotClearance};
-pub use kind::{
-    AtBeam, IdealRows, JointPlay, KindOfJoint, Line, NotDriven, PlayParts, PointConstraint, TreeAttachment,
-};
+pub use kind::{AtBeam, JointPlay, KindOfJoint, Line, NotDriven, PlayParts, TreeAttachment};
 pub use prismatic::Prismatic;
 pub(super) use reading::span_of;
 pub use reading::{ContactFacts, JointReader, PlayKeys};
 pub use revolute::Revolute;
 pub use rigid::Rigid;
+pub use row::{MarkerAxis, PlaneRow, Row, SpaceRow};
 pub use slot::Slot;
 
 use super::ids::{BodyId, PointId};
@@ -119,8 +119,13 @@ impl JointKind {
     }
 
     /// See [`KindOfJoint::ROWS`].
-    pub fn rows(&self) -> IdealRows {
+    pub fn rows(&self) -> &'static [PlaneRow] {
         constant!(self, ROWS)
+    }
+
+    /// Whether its bodies do not turn against each other.
+    pub fn holds_angle(&self) -> bool {
+        self.rows().contains(&PlaneRow::Angle)
     }
 
     /// See [`KindOfJoint::AT_BEAM`].
@@ -161,7 +166,7 @@ impl JointKind {
     /// Angle of the second body from the first one, rad, if they do not turn against each other.
     pub fn held_turn_rad(&self, number: &dyn Fn(QuantityId) -> f64) -> Option<f64> {
         let angle_rad = |side: usize| self.angles_rad()[side].map_or(0.0, number);
-        self.rows().holds_angle.then(|| angle_rad(0) - angle_rad(1))
+        self.holds_angle().then(|| angle_rad(0) - angle_rad(1))
     }
 
     /// Bearing and journal of a revolute joint.
@@ -176,7 +181,7 @@ impl JointKind {
 
     /// The line fixed to the first body along which the second point moves.
     pub fn line(&self) -> Option<Line> {
-        let angle_rad = self.angles_rad()[0].filter(|_| self.rows().is_on_line())?;
+        let angle_rad = self.angles_rad()[0].filter(|_| self.rows().contains(&PlaneRow::OnLine))?;
         Some(Line { point: self.points()[0], angle_rad })
     }
 

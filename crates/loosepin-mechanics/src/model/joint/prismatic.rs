@@ -1,8 +1,9 @@
 //! A slider moves along a line of its guide and does not turn against it; with a clearance it has play.
 
 use super::clearance::GuideClearance;
-use super::kind::{AtBeam, IdealRows, KindOfJoint, NotDriven, PlayParts, PointConstraint, TreeAttachment};
+use super::kind::{AtBeam, KindOfJoint, NotDriven, PlayParts, TreeAttachment};
 use super::reading::{JointReader, PlayKeys, span_of};
+use super::row::PlaneRow;
 use crate::model::ids::{BodyId, ContactId, PointId};
 use crate::model::parts::friction::JointFrictionTable;
 use crate::model::words::part_names::Names;
@@ -33,7 +34,7 @@ impl KindOfJoint for Prismatic {
     const KEYS: &'static Keys = &PrismaticTable::KEYS;
     const COORDINATE: Option<Dimension> = Some(Dimension::LENGTH);
     const TREE_ATTACHMENT: TreeAttachment = TreeAttachment::Sliding;
-    const ROWS: IdealRows = IdealRows { keeps: PointConstraint::Line, holds_angle: true };
+    const ROWS: &'static [PlaneRow] = &[PlaneRow::OnLine, PlaneRow::Angle];
     const AT_BEAM: AtBeam = AtBeam::Refused("prismatic joint");
     const CONTACT_PLACES: &'static [&'static str] = &CORNERS;
 

@@ -1,8 +1,9 @@
 //! A pin (journal) turns in a hole (bearing); with a radial clearance it has play.
 
 use super::clearance::Clearance;
-use super::kind::{AtBeam, IdealRows, KindOfJoint, NotDriven, PlayParts, PointConstraint, TreeAttachment};
+use super::kind::{AtBeam, KindOfJoint, NotDriven, PlayParts, TreeAttachment};
 use super::reading::{JointReader, PlayKeys, span_of};
+use super::row::PlaneRow;
 use crate::model::ids::{BodyId, ContactId, PointId};
 use crate::model::parts::friction::JointFrictionTable;
 use crate::model::parts::wear::JOINT_WEAR;
@@ -30,7 +31,7 @@ impl KindOfJoint for Revolute {
     const KEYS: &'static Keys = &RevoluteTable::KEYS;
     const COORDINATE: Option<Dimension> = Some(Dimension::ANGLE);
     const TREE_ATTACHMENT: TreeAttachment = TreeAttachment::Turning;
-    const ROWS: IdealRows = IdealRows { keeps: PointConstraint::Points, holds_angle: false };
+    const ROWS: &'static [PlaneRow] = &[PlaneRow::Coincident];
     const AT_BEAM: AtBeam = AtBeam::Point;
     const CLEARANCE_KEY: &'static str = RADIAL;
 

@@ -1,7 +1,8 @@
 //! Two points coincide and the bodies do not turn against each other.
 
-use super::kind::{AtBeam, IdealRows, KindOfJoint, NotDriven, PointConstraint, TreeAttachment};
+use super::kind::{AtBeam, KindOfJoint, NotDriven, TreeAttachment};
 use super::reading::JointReader;
+use super::row::PlaneRow;
 use crate::model::ids::PointId;
 use crate::model::words::part_names::Names;
 use loosepin_text::document::{Keys, Kind, Table, quantity};
@@ -25,7 +26,7 @@ impl KindOfJoint for Rigid {
     const KEYS: &'static Keys = &RigidTable::KEYS;
     const COORDINATE: Option<Dimension> = None;
     const TREE_ATTACHMENT: TreeAttachment = TreeAttachment::Fixed;
-    const ROWS: IdealRows = IdealRows { keeps: PointConstraint::Points, holds_angle: true };
+    const ROWS: &'static [PlaneRow] = &[PlaneRow::Coincident, PlaneRow::Angle];
     const AT_BEAM: AtBeam = AtBeam::Section;
 
     fn read(table: &Table<'_>, reader: &mut dyn JointReader) -> Option<Self> {

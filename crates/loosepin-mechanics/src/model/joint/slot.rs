@@ -1,8 +1,9 @@
 //! A pin slides and turns in a straight slot with round ends; with a clearance it has play.
 
 use super::clearance::SlotClearance;
-use super::kind::{AtBeam, IdealRows, KindOfJoint, NotDriven, PlayParts, PointConstraint, TreeAttachment};
+use super::kind::{AtBeam, KindOfJoint, NotDriven, PlayParts, TreeAttachment};
 use super::reading::{JointReader, PlayKeys, span_of};
+use super::row::PlaneRow;
 use crate::model::ids::{BodyId, ContactId, PointId};
 use crate::model::words::part_names::Names;
 use loosepin_text::diagnostics::Span;
@@ -31,7 +32,7 @@ impl KindOfJoint for Slot {
     const COORDINATE: Option<Dimension> = Some(Dimension::LENGTH);
     // In the tree it would have two coordinates; cut, it is one constraint.
     const TREE_ATTACHMENT: TreeAttachment = TreeAttachment::Never;
-    const ROWS: IdealRows = IdealRows { keeps: PointConstraint::Line, holds_angle: false };
+    const ROWS: &'static [PlaneRow] = &[PlaneRow::OnLine];
     const AT_BEAM: AtBeam = AtBeam::Refused("slot joint");
 
     fn read(table: &Table<'_>, reader: &mut dyn JointReader) -> Option<Self> {

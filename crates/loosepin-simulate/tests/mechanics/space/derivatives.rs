@@ -1,12 +1,14 @@
 //! Partial velocities, accelerations and equations of motion in space against exact derivatives on dual numbers.
 
-use super::{Body, broadcast, link, tree_of, vector};
+use super::{Body, Loop, broadcast, link, tree_of, vector};
 use crate::accuracy::spread;
 use loosepin_math::{Dual, Geometry, Real, Rotation, Space, SpaceInertia, SpaceMount, Vec3};
 use loosepin_mechanics::mechanism::{
-    Ball, Free, KindOfAttachment, Kinematics, Prismatic, Revolute, Rigid, SpaceAttachment, Tree, TreeNumbers,
+    Ball, CutNumbers, Free, KindOfAttachment, Kinematics, Prismatic, Revolute, Rigid, SpaceAttachment, Tree,
+    TreeNumbers, cut_biases, cut_jacobian, cut_residuals,
 };
-use loosepin_mechanics::model::JointId;
+use loosepin_mechanics::model::MarkerAxis::{X, Y, Z};
+use loosepin_mechanics::model::{JointId, SpaceRow};
 
 type Nested = Dual<Dual<f64>>;
 
@@ -16,6 +18,15 @@ const ROUND_OFF: f64 = 1e-12;
 fn close(a: f64, b: f64) -> bool {
     (a - b).abs() <= ROUND_OFF * (1.0 + a.abs().max(b.abs()))
 }
+
+/// Every condition, with axes of every kind.
+const ALL_ROWS: &[SpaceRow] = &[
+    SpaceRow::Coincident,
+    SpaceRow::Perpendicular(X, Z),
+    SpaceRow::Across(Y),
+    SpaceRow::Perpendicular(Y, X),
+    SpaceRow::Across(Z),
+];
 
 /// A body that floats freely and carries a chain of one joint of every kind, hung either way, with a second branch.
 fn tree() -> (Tree<Space>, TreeNumbers<f64, Space>) {
@@ -43,7 +54,22 @@ fn tree() -> (Tree<Space>, TreeNumbers<f64, Space>) {
             SpaceInertia { diagonal_kg_m2: [2.0, 3.0, 4.0], beside_kg_m2: three(0.6).map(|p| 0.3 * p) };
         Body { parent_slot, attachment, is_driven, numbers }
     });
-    tree_of(&bodies.collect::<Vec<_>>(), vector([0.3, -1.0, 9.0]))
+    let loops = [(7, 5), (0, 6)].into_iter().enumerate().map(|(index, (first, second))| {
+        let three = |salt: f64| vector([0, 1, 2].map(|k| spread(3 * index + k, salt)));
+        let marker = |salt: f64| {
+            let Vec3 { x, y, z } = three(salt);
+            let length = (1.0 + x * x + y * y + z * z).sqrt();
+            Space::oriented(&[1.0, x, y, z].map(|entry| entry / length), f64::sin_cos)
+        };
+        let numbers = CutNumbers {
+            arms_m: [three(0.7), three(0.8)],
+            markers: [marker(0.15), marker(0.25)],
+            eccentricity_m: three(0.35) * 0.1,
+            radius_m: 0.0,
+        };
+        Loop { slots: [first, second], rows: ALL_ROWS, numbers }
+    });
+    tree_of(&bodies.collect::<Vec<_>>(), &loops.collect::<Vec<_>>(), vector([0.3, -1.0, 9.0]))
 }
 
 /// Coordinates that do not repeat, quaternions of unit length.
@@ -118,6 +144,32 @@ fn identity_partial_velocities_in_space_are_derivatives_of_positions() {
     }
 }
 
+#[test]
+fn identity_jacobian_of_loops_in_space_is_the_derivative_of_residuals() {
+    let (tree, numbers) = tree();
+    let z = coordinates(&tree);
+    let (rows, columns) = (tree.cut_rows(), tree.speeds());
+    assert_eq!(rows, 14);
+    let mut plain = Kinematics::<f64, Space>::new(&tree);
+    plain.set_positions(&tree, &numbers, &z);
+    let mut jacobian = vec![0.0; rows * columns];
+    cut_jacobian(&tree, &numbers, &plain, &mut jacobian);
+    for moved in 0..columns {
+        let unit: Vec<f64> = (0..columns).map(|k| f64::from(k == moved)).collect();
+        let rates = coordinate_rates(&tree, &z, &unit);
+        let along: Vec<Dual<f64>> =
+            z.iter().zip(rates).map(|(&value, derivative)| Dual { value, derivative }).collect();
+        let (mut kinematics, dual) = (Kinematics::new(&tree), broadcast(&numbers));
+        kinematics.set_positions(&tree, &dual, &along);
+        let mut residuals = vec![Dual::constant(0.0); rows];
+        cut_residuals(&tree, &dual, &kinematics, &mut residuals);
+        for (row, residual) in residuals.iter().enumerate() {
+            let stated = jacobian[row * columns + moved];
+            assert!(close(residual.derivative, stated), "row {row} by speed {moved}: {} {stated}", residual.derivative);
+        }
+    }
+}
+
 /// d/dt of velocities along the motion in which free speeds do not change, and driven ones as their drives say.
 #[test]
 fn identity_acceleration_biases_in_space_are_second_derivatives() {
@@ -146,6 +198,13 @@ fn identity_acceleration_biases_in_space_are_second_derivatives() {
         along.iter().zip(rate_and_change).map(|(&value, derivative)| Dual { value, derivative }).collect();
     let mut kinematics = Kinematics::new(&tree);
     kinematics.set_positions(&tree, &broadcast::<Nested>(&numbers), &nested);
+    let rows = tree.cut_rows();
+    let (mut residuals, mut biases) = (vec![Nested::constant(Dual::constant(0.0)); rows], vec![0.0; rows]);
+    cut_residuals(&tree, &broadcast::<Nested>(&numbers), &kinematics, &mut residuals);
+    cut_biases(&tree, &numbers, &plain, &mut biases);
+    for (row, (residual, bias)) in residuals.iter().zip(&biases).enumerate() {
+        assert!(close(residual.derivative.derivative, *bias), "row {row}: {} {bias}", residual.derivative.derivative);
+    }
     for slot in 1..=tree.links.len() {
         let pose = &kinematics.poses[slot];
         let position = [pose.position_m.x, pose.position_m.y, pose.position_m.z];

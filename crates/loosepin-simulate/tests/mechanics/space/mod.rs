@@ -7,9 +7,10 @@ mod plane_in_space;
 use loosepin_math::{Real, Rotation, Space, SpaceInertia, SpaceMount, Vec3};
 use loosepin_mechanics::dynamics::BodyEquations;
 use loosepin_mechanics::mechanism::{
-    FormOfAttachment, KindOfAttachment, Kinematics, Link, LinkNumbers, SpaceAttachment, Tree, TreeNumbers,
+    Cut, CutNumbers, FormOfAttachment, KindOfAttachment, Kinematics, Link, LinkNumbers, SpaceAttachment, Tree,
+    TreeNumbers, cut_biases, cut_jacobian,
 };
-use loosepin_mechanics::model::{BodyId, DriveId};
+use loosepin_mechanics::model::{BodyId, DriveId, JointId, SpaceRow};
 
 /// A body of a tree in space: the slot of its parent, how it hangs there, whether a drive moves it, and its numbers.
 struct Body {
@@ -19,8 +20,15 @@ struct Body {
     numbers: LinkNumbers<f64, Space>,
 }
 
-/// The tree of these bodies, parents first: free coordinates and speeds, then driven ones.
-fn tree_of(bodies: &[Body], gravity_m_s2: Vec3) -> (Tree<Space>, TreeNumbers<f64, Space>) {
+/// A joint that closes a loop: the slots of its bodies, its conditions and its numbers.
+struct Loop {
+    slots: [usize; 2],
+    rows: &'static [SpaceRow],
+    numbers: CutNumbers<f64, Space>,
+}
+
+/// The tree of these bodies, parents first: free coordinates and speeds, then driven ones. The loops close it.
+fn tree_of(bodies: &[Body], loops: &[Loop], gravity_m_s2: Vec3) -> (Tree<Space>, TreeNumbers<f64, Space>) {
     let mut tree = Tree::<Space>::empty();
     let counts = |body: &Body| body.attachment.counts();
     let of_free = |k: usize| bodies.iter().filter(|body| !body.is_driven).map(|body| counts(body)[k]).sum();
@@ -48,9 +56,12 @@ fn tree_of(bodies: &[Body], gravity_m_s2: Vec3) -> (Tree<Space>, TreeNumbers<f64
             tree.drives.push(DriveId(tree.drives.len()));
         }
     }
+    for (index, own) in loops.iter().enumerate() {
+        tree.cuts.push(Cut { joint: JointId(bodies.len() + index), slots: own.slots, rows: own.rows });
+    }
     let numbers = TreeNumbers {
         links: bodies.iter().map(|body| body.numbers).collect(),
-        cuts: Vec::new(),
+        cuts: loops.iter().map(|own| own.numbers).collect(),
         couplings: Vec::new(),
         beams: Vec::new(),
         nodal_beams: Vec::new(),
@@ -105,7 +116,7 @@ struct Run<'a> {
 
 impl<'a> Run<'a> {
     fn new(tree: &'a Tree<Space>, numbers: &'a TreeNumbers<f64, Space>, drive: Drive) -> Self {
-        let equations = BodyEquations::new(tree, Vec::new());
+        let equations = BodyEquations::new(tree, tree.constraint_scales());
         Self { tree, numbers, drive, kinematics: Kinematics::new(tree), equations }
     }
 
@@ -120,7 +131,12 @@ impl<'a> Run<'a> {
         self.kinematics.set_velocities(tree, &rates);
         self.kinematics.set_biases(tree, numbers, &rates, &vec![acceleration; driven]);
         self.equations.begin(tree, numbers, &self.kinematics);
-        self.equations.solve(|_, _| {});
+        let kinematics = &self.kinematics;
+        self.equations.solve(|jacobian, biases| {
+            jacobian.fill(0.0);
+            cut_jacobian(tree, numbers, kinematics, jacobian);
+            cut_biases(tree, numbers, kinematics, biases);
+        });
         let mut slope = vec![0.0; tree.free];
         for link in tree.links.iter().filter(|link| !link.is_driven) {
             let own = &coordinates[link.coordinates.clone()];
@@ -164,9 +180,15 @@ fn broadcast<T: Real>(plain: &TreeNumbers<f64, Space>) -> TreeNumbers<T, Space> 
             beside_kg_m2: link.inertia_kg_m2.beside_kg_m2.map(T::from_f64),
         },
     });
+    let cuts = plain.cuts.iter().map(|cut| CutNumbers {
+        arms_m: cut.arms_m.map(vector),
+        markers: cut.markers.map(rotation),
+        eccentricity_m: vector(cut.eccentricity_m),
+        radius_m: T::from_f64(cut.radius_m),
+    });
     TreeNumbers {
         links: links.collect(),
-        cuts: Vec::new(),
+        cuts: cuts.collect(),
         couplings: Vec::new(),
         beams: Vec::new(),
         nodal_beams: Vec::new(),

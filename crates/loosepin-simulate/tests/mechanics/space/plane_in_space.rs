@@ -1,12 +1,14 @@
-//! A planar mechanism that lies in space has the bits of the plane: its poses, velocities, biases, forces and masses.
+//! A planar mechanism that lies in space has the bits of the plane: its poses, velocities, biases, forces, masses and loops.
 
-use super::{Body, tree_of, unturned, vector};
+use super::{Body, Loop, tree_of, unturned, vector};
 use crate::accuracy::{build_case, case_names, spread};
 use loosepin_math::{Plane, Rotation, Space, SpaceInertia, SpaceMount, Vec2, Vec3};
 use loosepin_mechanics::dynamics::BodyEquations;
 use loosepin_mechanics::mechanism::{
-    Kinematics, LinkNumbers, PlaneAttachment, SpaceAttachment, Tree, TreeGeometry, TreeNumbers,
+    CutNumbers, KindOfAttachment, Kinematics, LinkNumbers, PlaneAttachment, RowGeometry, SpaceAttachment, Tree,
+    TreeGeometry, TreeNumbers, cut_biases, cut_jacobian, cut_residuals,
 };
+use loosepin_mechanics::model::{PlaneRow, Row, SpaceRow};
 
 fn in_space(v: Vec2<f64>) -> Vec3 {
     vector([v.x, v.y, 0.0])
@@ -59,11 +61,52 @@ fn laid_in_space(tree: &Tree, numbers: &TreeNumbers<f64>) -> Option<(Tree<Space>
         Some(Body { parent_slot: link.parent_slot, attachment, is_driven: link.is_driven, numbers })
     };
     let bodies: Vec<Body> = numbers.links.iter().enumerate().map(body).collect::<Option<_>>()?;
-    Some(tree_of(&bodies, in_space(numbers.gravity_m_s2)))
+    let of_points = tree.cuts.iter().zip(&numbers.cuts).filter(|(cut, _)| cut.rows == [PlaneRow::Coincident]);
+    let loops: Vec<Loop> = of_points
+        .map(|(cut, own)| Loop {
+            slots: cut.slots,
+            rows: &[SpaceRow::Coincident],
+            numbers: CutNumbers {
+                arms_m: own.arms_m.map(in_space),
+                markers: [unturned(); 2],
+                eccentricity_m: in_space(own.eccentricity_m),
+                radius_m: 0.0,
+            },
+        })
+        .collect();
+    Some(tree_of(&bodies, &loops, in_space(numbers.gravity_m_s2)))
+}
+
+/// Residuals, Jacobian and accelerations of the cut joints whose points coincide, x and y of each.
+fn rows_of_points<G: RowGeometry>(
+    tree: &Tree<G>,
+    numbers: &TreeNumbers<f64, G>,
+    kinematics: &Kinematics<f64, G>,
+) -> Vec<Vec<f64>> {
+    let (count, columns) = (tree.cut_rows(), tree.speeds());
+    let [mut residuals, mut biases] = [(); 2].map(|()| vec![0.0; count]);
+    let mut jacobian = vec![0.0; count * columns];
+    cut_residuals(tree, numbers, kinematics, &mut residuals);
+    cut_jacobian(tree, numbers, kinematics, &mut jacobian);
+    cut_biases(tree, numbers, kinematics, &mut biases);
+    let mut rows = Vec::new();
+    let mut first = 0;
+    for cut in &tree.cuts {
+        if let [row] = cut.rows
+            && row.count() == G::POSITION
+        {
+            rows.extend((first..first + 2).map(|row| {
+                let slopes = &jacobian[row * columns..(row + 1) * columns];
+                [&[residuals[row], biases[row]], slopes].concat()
+            }));
+        }
+        first += cut.count();
+    }
+    rows
 }
 
 /// An evaluation of a tree: its kinematics, and mass matrix and forces of its bodies.
-fn evaluated<G: TreeGeometry<Attachment: loosepin_mechanics::mechanism::KindOfAttachment<G>>>(
+fn evaluated<G: TreeGeometry<Attachment: KindOfAttachment<G>>>(
     tree: &Tree<G>,
     numbers: &TreeNumbers<f64, G>,
     [coordinates, speeds, driven]: [&[f64]; 3],
@@ -79,7 +122,7 @@ fn evaluated<G: TreeGeometry<Attachment: loosepin_mechanics::mechanism::KindOfAt
 
 #[test]
 fn identity_a_planar_mechanism_in_space_has_the_bits_of_the_plane() {
-    let mut compared = 0;
+    let (mut compared, mut loops) = (0, 0);
     for case in case_names() {
         let built = build_case(&case);
         for tree in [&built.mechanism.ideal, &built.mechanism.real] {
@@ -105,6 +148,9 @@ fn identity_a_planar_mechanism_in_space_has_the_bits_of_the_plane() {
                         assert_eq!(deep.angular, vector([0.0, 0.0, flat.angular]), "{case}");
                     }
                 }
+                let rows = rows_of_points(tree, &numbers, &plane);
+                assert_eq!(rows, rows_of_points(&laid, &numbers_in_space, &space), "{case}");
+                loops += rows.len() / 2;
                 assert_eq!(of_plane.forces, of_space.forces, "{case}");
                 assert_eq!(of_plane.mass, of_space.mass, "{case}");
                 assert_eq!(of_plane.driven_mass, of_space.driven_mass, "{case}");
@@ -112,5 +158,5 @@ fn identity_a_planar_mechanism_in_space_has_the_bits_of_the_plane() {
             compared += 1;
         }
     }
-    assert!(compared >= 30, "only {compared} trees were compared");
+    assert!(compared >= 30 && loops >= 30, "only {compared} trees and {loops} loops were compared");
 }
