@@ -124,7 +124,7 @@ const SCRIPTS: [(&str, &[&str]); 3] = [
 ];
 
 /// Enums whose variants only their own folder names, with that folder. Everybody else asks a variant what it is like.
-const ONE_PLACE: [(&str, &str); 26] = [
+const ONE_PLACE: [(&str, &str); 28] = [
     ("Deviation", "loosepin-terms/src/deviation.rs"),
     ("Reduction", "loosepin-terms/src/reduction/"),
     ("Where", "loosepin-study/src/places.rs"),
@@ -145,6 +145,8 @@ const ONE_PLACE: [(&str, &str); 26] = [
     ("NormalDescription", "loosepin-mechanics/src/model/contact/"),
     ("ContactLaw", "loosepin-mechanics/src/model/contact/"),
     ("PlayShape", "loosepin-mechanics/src/mechanism/play_shape/"),
+    ("PlaneRow", "loosepin-mechanics/src/model/joint/"),
+    ("SpaceRow", "loosepin-mechanics/src/model/joint/"),
     ("PlaneAttachment", "loosepin-mechanics/src/mechanism/attachment/"),
     ("SpaceAttachment", "loosepin-mechanics/src/mechanism/attachment/"),
     ("DrawnJointKind", "loosepin-result/src/simulation/drawn_joint.rs"),

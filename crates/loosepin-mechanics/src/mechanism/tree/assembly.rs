@@ -9,7 +9,7 @@ use crate::mechanism::tree::cut_numbers::CutNumbers;
 use crate::mechanism::tree::kinematics::{Kinematics, Pose};
 use crate::mechanism::tree::numbers::TreeNumbers;
 use crate::mechanism::tree::spanning_tree::{Cut, Tree};
-use crate::model::{Model, PlaneRow, Values};
+use crate::model::{Model, Row, Values};
 use loosepin_math::solve_sparse_symmetric;
 
 /// Starting points tried: the hinted one, then others spread over the circle.
@@ -313,7 +313,7 @@ fn unwind(
 
 /// Whether the bodies of a cut joint do not turn against each other.
 fn holds_angle(cut: &Cut) -> bool {
-    cut.rows.contains(&PlaneRow::Angle)
+    cut.rows.iter().any(|row| row.is_angle())
 }
 
 /// Angle by which a cut joint's second body is turned against its first, rad: zero where the joint is closed.
