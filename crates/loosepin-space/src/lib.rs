@@ -76,8 +76,8 @@ pub use mobility::{IdleKind, IdleMotion, Mobility, RedundantDirection, Redundant
 pub use model::{
     CycleInput, Direction, ModelAssembly, ModelBody, ModelCycle, ModelCycleSpan, ModelDrive, ModelGuess, ModelJoint,
     ModelMarker, ModelMisalignment, ModelOutput, ModelOutputKind, ModelPoint, PointId, SpatialModel, SpatialModelError,
-    SpatialModelProblem, SpatialMotionProblem, SpatialScatter, SpatialScatterPlan, is_inertia, is_spatial,
-    refuse_without_geometry, spatial_model_schema,
+    SpatialModelProblem, SpatialMotionProblem, SpatialScatter, SpatialScatterPlan, dead_centre_spans, is_inertia,
+    is_spatial, refuse_without_geometry, spatial_model_schema,
 };
 pub use motion::{BodyRates, Motion, PathFrame, motion};
 pub use output::kind_of_output::{BodyGradient, KindOfOutput, OutputState};

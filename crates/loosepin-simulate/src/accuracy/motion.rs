@@ -6,13 +6,15 @@ use super::cycle_worst_case::{WalkedCycle, add_worst_cases};
 use super::dimension::{DimensionDirection, dimension_direction};
 use super::efforts::ideal_efforts;
 use super::error::AccuracyError;
+use super::in_space::InSpace;
 use super::loops::DisplacedLoops;
 use super::overhang::{Overhangs, overhanging};
-use super::path::{PathRecorder, points_of_paths};
+use super::path::{PathRecorder, points_of_paths, reach_by_gradients_m};
 use super::play_reach::PlayReach;
 use super::position::{PositionOutput, position_outputs};
 use super::round_off::drop_round_off;
 use super::sensitivity::{dimension_derivatives, play_gradients};
+use super::together::Together;
 use super::worst_case::{disc_standard_deviation_si, first_order_si, rim_standard_deviation_si};
 use crate::kinematics::{MovedOutput, Walked, kinematic_properties, mechanical_advantages};
 use crate::{add_pose, skeleton};
@@ -185,7 +187,16 @@ fn motion_with(
     }
     drawing.ideal_poses = Default::default();
     let mut proofs = None;
-    if has_worst_cases {
+    let mut unproven_spans = Vec::new();
+    if has_worst_cases && let Some(together) = &recorder.together {
+        let is_stopped = || stop.load(Ordering::Relaxed);
+        let searched = together.search(&cycle.states, &mut recorder.outputs, &is_stopped);
+        go_on()?;
+        unproven_spans = together.unproven_spans(&drive_angle_rad);
+        if let Err(reason) = searched {
+            recorder.forget_play(reason);
+        }
+    } else if has_worst_cases && recorder.unknown.is_none() {
         let walked = WalkedCycle {
             mechanism,
             values,
@@ -203,6 +214,7 @@ fn motion_with(
         proofs = add_worst_cases(&walked, &mut recorder.outputs, &|| stop.load(Ordering::Relaxed));
         go_on()?;
     }
+    let remarks = recorder.unknown.iter().map(|reason| unknown_words(mechanism, reason)).collect();
     let asked = recorder.effects_at(&plan.asked, &Walked { states: &cycle.states, input: &input }, plan.positions);
     drop_round_off(&mut recorder.outputs, mechanism.size_m);
     let moved = recorder.moved_outputs();
@@ -229,11 +241,11 @@ fn motion_with(
         singular_positions: cycle.singular_positions(&input),
         kinematics,
         guide_overhangs: overhangs.into_found(),
-        unproven_spans: proofs.map_or_else(Vec::new, |proofs| proofs.unproven_spans),
+        unproven_spans: proofs.map_or(unproven_spans, |proofs| proofs.unproven_spans),
         is_proven_between_angles,
         drive: input.name,
         repeat: Repeat::default(),
-        remarks: Vec::new(),
+        remarks,
         display_units: mechanism.model.shown_in(DisplayUnits::default()),
         drive_angle_rad,
         time_s: Vec::new(),
@@ -310,6 +322,10 @@ struct Recorder<'a> {
     /// Places of two correlated directions, and twice their correlation.
     correlated: Vec<(usize, usize, f64)>,
     outputs: Vec<OutputMotion>,
+    /// Where plays must meet conditions together.
+    together: Option<Together<'a>>,
+    /// Why nothing is known of play, in words.
+    unknown: Option<String>,
 }
 
 impl<'a> Recorder<'a> {
@@ -338,6 +354,12 @@ impl<'a> Recorder<'a> {
             .collect();
         let speeds = |[x, y]: [usize; 2]| jets.iter().map(|jets| jets[x][1].hypot(jets[y][1])).collect();
         let parts = AccuracyOutput::all(outputs, speeds, round_off_m_s);
+        let must_meet_conditions = mechanism.ideal.is_redundant() && !mechanism.plays.is_empty();
+        let (together, unknown) = match must_meet_conditions.then(|| InSpace::new(mechanism, values, &reaches)) {
+            Some(Ok(space)) => (Some(Together::new(space)), None),
+            Some(Err(reason)) => (None, Some(reason)),
+            None => (None, None),
+        };
         let motions = parts.iter().map(|output| OutputMotion {
             name: output.name.clone(),
             words: output.words.clone(),
@@ -363,7 +385,15 @@ impl<'a> Recorder<'a> {
             directions,
             correlated: correlated(directions, &plan.correlations),
             outputs: motions.collect(),
+            together,
+            unknown,
         }
+    }
+
+    /// Nothing is known of play.
+    fn forget_play(&mut self, reason: String) {
+        self.outputs.iter_mut().for_each(|output| output.clearance = ClearanceAnswer::default());
+        (self.together, self.unknown) = (None, Some(reason));
     }
 
     /// The outputs that move by themselves, then the points of the paths.
@@ -388,23 +418,15 @@ impl<'a> Recorder<'a> {
 
     fn record(&mut self, state: &IdealMotion<'_>, jets: &[[f64; 3]]) -> Result<(), AccuracyError> {
         let effects = self.effects(state, jets)?;
-        for (number, (output, part)) in self.outputs.iter_mut().zip(&self.parts).enumerate() {
+        for (output, part) in self.outputs.iter_mut().zip(&self.parts) {
             // The ideal motion has no error.
             if let AccuracyOutputKind::Position(place) = *part {
                 output.value_si.push(self.loops.value(self.readings[place]));
                 output.velocity_si.push(jets[place][1]);
                 output.acceleration_si.push(jets[place][2]);
             }
-            let joints = effects.joints(number, &self.reaches);
-            let answer = &mut output.clearance;
-            answer.first_order_si.push(first_order_si(&joints));
-            answer.disc_standard_deviation_si.push(disc_standard_deviation_si(&joints));
-            answer.rim_standard_deviation_si.push(rim_standard_deviation_si(&joints));
-            for (contributor, joint) in answer.contributors.iter_mut().zip(&joints) {
-                contributor.first_order_si.push(first_order_si(&[*joint]));
-            }
         }
-        self.paths.record(jets, &effects.gradients, &self.reaches);
+        self.record_play(state, &effects, jets);
         for ((entry, _), derivatives) in self.directions.iter().zip(&effects.derivatives) {
             self.paths.add_scatter(entry.standard_deviation_si, derivatives);
         }
@@ -419,6 +441,33 @@ impl<'a> Recorder<'a> {
             }
         }
         Ok(())
+    }
+
+    fn record_play(&mut self, state: &IdealMotion<'_>, effects: &StateEffects, jets: &[[f64; 3]]) {
+        if let Some(together) = &mut self.together {
+            let asked = (self.readings.as_slice(), effects.weights.as_slice());
+            let recorded = together.record(state, asked, (&mut self.paths, jets), &mut self.outputs);
+            let Err(reason) = recorded else { return };
+            self.forget_play(reason);
+        }
+        if self.unknown.is_some() {
+            self.outputs.iter_mut().for_each(|output| output.clearance = ClearanceAnswer::default());
+            // The zone of a path of which nothing is known is no zone.
+            self.paths.record(jets, |_, _| 0.0);
+            return;
+        }
+        for (number, output) in self.outputs.iter_mut().enumerate() {
+            let joints = effects.joints(number, &self.reaches);
+            let answer = &mut output.clearance;
+            answer.first_order_si.push(first_order_si(&joints));
+            answer.disc_standard_deviation_si.push(disc_standard_deviation_si(&joints));
+            answer.rim_standard_deviation_si.push(rim_standard_deviation_si(&joints));
+            for (contributor, joint) in answer.contributors.iter_mut().zip(&joints) {
+                contributor.first_order_si.push(first_order_si(&[*joint]));
+            }
+        }
+        let reach_m = |places, direction| reach_by_gradients_m(&effects.gradients, &self.reaches, places, direction);
+        self.paths.record(jets, reach_m);
     }
 
     /// What play and dimensions do at a state, to first order.
@@ -440,6 +489,10 @@ impl<'a> Recorder<'a> {
     /// are left out, as are singular ones.
     fn effects_at(&mut self, asked: &[AskedPose], walked: &Walked<'_, '_>, positions: usize) -> Vec<PoseEffect> {
         let mut found = Vec::new();
+        // The plays of a redundant mechanism have no effects one by one.
+        if self.together.is_some() || self.unknown.is_some() {
+            return found;
+        }
         for AskedPose { output, pose_rad, is_required } in asked {
             let Some(number) = self.outputs.iter().position(|own| own.name == *output) else { continue };
             let Some(state) = state_at(walked, *pose_rad, positions) else { continue };
@@ -543,6 +596,16 @@ fn correlated(
     let place = |quantity: QuantityId| directions.iter().position(|(entry, _)| entry.quantity == quantity);
     let both = |each: &ScatterCorrelation| Some((place(each.first)?, place(each.second)?, 2.0 * each.linear));
     correlations.iter().filter_map(both).collect()
+}
+
+/// That nothing is known of play, in words.
+fn unknown_words(mechanism: &Mechanism, reason: &str) -> String {
+    let owners = mechanism.redundant.iter().map(|(owner, _)| owner.words(&mechanism.model)).collect::<Vec<_>>();
+    format!(
+        "constraints of {} repeat others, so that the plays must meet conditions together; that is found as in space, but {reason}: \
+         what play does is not known",
+        owners.join(" and ")
+    )
 }
 
 /// The mobility in words, for example `1 degree of freedom, 1 drive`.

@@ -69,6 +69,20 @@ fn unit_vector(angle_rad: f64) -> Vec2<f64> {
     Vec2::new(cosine, sine)
 }
 
+/// How far plays take a point along a unit vector, m, from the gradients of each reading by each play.
+pub(super) fn reach_by_gradients_m(
+    gradients: &[Vec<Vec2<f64>>],
+    reaches: &[PlayReach],
+    [x, y]: [usize; 2],
+    direction: Vec2<f64>,
+) -> f64 {
+    let gradients = gradients[x].iter().zip(&gradients[y]);
+    let effects = gradients
+        .zip(reaches)
+        .map(|((of_x, of_y), reach)| reach.worst_case_si(*of_x * direction.x + *of_y * direction.y));
+    effects.sum()
+}
+
 impl PathRecorder {
     /// Takes the directions of motion at all positions from value, velocity and acceleration of each reading. Where a point is slower than a
     /// hundredth of its mean speed, or as slow as round-off, its motion has none.
@@ -91,8 +105,9 @@ impl PathRecorder {
         self.paths.iter().map(|recorded| (recorded.path.name.as_str(), recorded.places))
     }
 
-    /// Takes a position: value, velocity and acceleration of each reading, and its gradients by play.
-    pub fn record(&mut self, readings: &[[f64; 3]], gradients: &[Vec<Vec2<f64>>], reaches: &[PlayReach]) {
+    /// Takes a position: value, velocity and acceleration of each reading, and how far play takes the point whose coordinates are at two places of
+    /// the readings along a unit vector, m.
+    pub fn record(&mut self, readings: &[[f64; 3]], reach_m: impl Fn([usize; 2], Vec2<f64>) -> f64) {
         for RecordedPath { places: [x, y], path, .. } in &mut self.paths {
             for (list, value) in
                 [&mut path.x_m, &mut path.velocity_x_m_s, &mut path.acceleration_x_m_s2].into_iter().zip(readings[*x])
@@ -104,13 +119,7 @@ impl PathRecorder {
             {
                 list.push(value);
             }
-            let reach_m = |direction: Vec2<f64>| -> f64 {
-                let gradients = gradients[*x].iter().zip(&gradients[*y]);
-                gradients
-                    .zip(reaches)
-                    .map(|((of_x, of_y), reach)| reach.worst_case_si(*of_x * direction.x + *of_y * direction.y))
-                    .sum()
-            };
+            let reach_m = |direction: Vec2<f64>| reach_m([*x, *y], direction);
             path.play_reach_m.extend(self.directions.iter().map(|direction| reach_m(*direction)));
             let position = path.play_along_m.len();
             let [along_m, across_m] = if path.stands_still(position) {

@@ -46,6 +46,7 @@ pub use direction::Direction;
 pub use fit::ModelAssembly;
 pub use forgotten::refuse_without_geometry;
 pub use marker::{ModelMarker, ModelMisalignment, PointId};
+pub use over_turn::dead_centre_spans;
 pub use parts::{
     ModelBody, ModelCycle, ModelCycleSpan, ModelDrive, ModelGuess, ModelJoint, ModelOutput, ModelOutputKind,
     ModelPoint, SpatialModel,

@@ -352,7 +352,7 @@ const DEAD_CENTRE: &str = "play takes the mechanism to a dead centre there, wher
                            nothing, and more than what was found may be possible";
 
 /// Positions in a row in which play reaches a dead centre.
-fn dead_centre_spans(angles_rad: &[f64], dead_centres: &[bool]) -> Vec<UnprovenSpan> {
+pub fn dead_centre_spans(angles_rad: &[f64], dead_centres: &[bool]) -> Vec<UnprovenSpan> {
     let rows: Vec<(f64, bool)> = angles_rad.iter().copied().zip(dead_centres.iter().copied()).collect();
     let stretches = rows.chunk_by(|a, b| a.1 == b.1).filter(|stretch| stretch[0].1);
     let span = |stretch: &[(f64, bool)]| UnprovenSpan {

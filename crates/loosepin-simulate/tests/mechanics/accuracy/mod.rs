@@ -10,6 +10,7 @@ mod motion;
 mod near_dead_centres;
 mod oracle;
 mod point_path;
+mod redundant;
 mod runs;
 mod singular;
 mod worst_case;

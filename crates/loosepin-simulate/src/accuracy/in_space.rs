@@ -1,0 +1,157 @@
+//! A planar mechanism as one in space, seen along z.
+//!
+//! Where constraints of joints repeat each other, the plays have to meet conditions together: the bar of a third crank that is a little too long
+//! must be taken up by the play of the others. The plane counts each play alone; space knows the conditions. So such a mechanism is laid into space, with
+//! pins about z that do not lean, and asked there.
+
+use super::play_reach::PlayReach;
+use loosepin_math::{Pose, Quaternion, Vec2, Vec3};
+use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, point_m};
+use loosepin_mechanics::model::{Axis, PlayId, PointId, Position, TreeAttachment, Values};
+use loosepin_space::{
+    Body, Drive, DriveValue, Joint, JointCoordinate, Marker, PointOutput, Position as PositionInSpace, Prismatic,
+    Revolute, Rigid, RotationOutput, SpatialMechanism, SpatialOutput, UprightPlay, assemble,
+};
+
+/// A mechanism laid into space.
+pub(super) struct InSpace<'a> {
+    mechanism: &'a Mechanism,
+    values: &'a Values,
+    joints: Vec<Joint>,
+    drives: Vec<Drive>,
+    /// Number of the joint of each play.
+    joint_of_play: Vec<usize>,
+}
+
+impl<'a> InSpace<'a> {
+    /// Of a mechanism with these plays.
+    ///
+    /// # Errors
+    /// Why it cannot be laid into space, in words.
+    pub fn new(mechanism: &'a Mechanism, values: &'a Values, reaches: &[PlayReach]) -> Result<Self, String> {
+        let model = &mechanism.model;
+        if let Some(coupling) = model.couplings.first() {
+            return Err(format!("there is none of {}", loosepin_mechanics::model::describe_path(&coupling.path)));
+        }
+        let mut joints = Vec::new();
+        for joint in &model.joints {
+            let laid = laid(mechanism, values, &joint.kind, &joint.name);
+            joints.push(laid.ok_or_else(|| format!("there is none like joint '{}'", joint.name))?);
+        }
+        let mut joint_of_play = Vec::new();
+        for (play, reach) in mechanism.plays.iter().zip(reaches) {
+            let (PlayId::Joint(joint), PlayReach::Disc { radius_m }) = (*play, *reach) else {
+                return Err(format!("there is no play like that of '{}'", model.play_name(*play)));
+            };
+            let upright = UprightPlay { radial_clearance_m: radius_m, axial_clearance_m: 0.0 };
+            joints[joint.0].play = Some(upright.into());
+            joint_of_play.push(joint.0);
+        }
+        let drive = |own: &loosepin_mechanics::model::DriveId| {
+            let joint = model.drives[own.0].joint;
+            let slides = model.joints[joint.0].kind.slides();
+            let coordinate = if slides { JointCoordinate::Slide } else { JointCoordinate::Angle };
+            Drive { joint: joint.0, coordinate }
+        };
+        let drives = mechanism.ideal.drives.iter().map(drive).collect();
+        Ok(Self { mechanism, values, joints, drives, joint_of_play })
+    }
+
+    /// The mechanism where it is in a state, and its closed position there.
+    ///
+    /// # Errors
+    /// Why there is none, in words.
+    pub fn at(&self, state: &IdealMotion<'_>) -> Result<(SpatialMechanism, PositionInSpace), String> {
+        let (model, tree) = (&self.mechanism.model, &self.mechanism.ideal);
+        let moving = model.bodies.iter().zip(&tree.slot_of_body).skip(1).map(|(body, slot)| {
+            let pose = &state.kinematics().poses[*slot];
+            let orientation = Quaternion::from_rotation_vector(Vec3::Z * pose.angle_rad());
+            Body::new(body.name.clone(), Pose { position_m: lifted(pose.position_m), orientation })
+        });
+        let bodies = std::iter::once(Body::ground()).chain(moving).collect();
+        let mechanism = SpatialMechanism::new(bodies, self.joints.clone(), self.drives.clone());
+        let mechanism = mechanism.map_err(|error| error.to_string())?;
+        let values = &state.coordinates()[tree.free..];
+        let drives: Vec<DriveValue> = values.iter().map(|value| DriveValue::at_rate(*value, 0.0)).collect();
+        let position = assemble(&mechanism, &drives).map_err(|error| error.to_string())?;
+        Ok((mechanism, position))
+    }
+
+    /// The number of the joint of each play.
+    pub fn joint_of_play(&self) -> &[usize] {
+        &self.joint_of_play
+    }
+
+    /// A sum of readings: a coordinate or an angle, or a displacement of one point along a direction. `None` of another one, and of one that is
+    /// seen from a body.
+    pub fn output(&self, readings: &[Position], weights: &[(usize, f64)]) -> Option<SpatialOutput> {
+        match *weights {
+            [(place, 1.0)] => match readings[place] {
+                Position::Angle(angle) if angle.to.is_none() => {
+                    Some(RotationOutput { body: angle.of.0, axis: Vec3::Z }.into())
+                }
+                Position::Point(point, Axis::X) if point.to.is_none() => {
+                    self.displacement(point.of, Vec2::new(1.0, 0.0))
+                }
+                Position::Point(point, Axis::Y) if point.to.is_none() => {
+                    self.displacement(point.of, Vec2::new(0.0, 1.0))
+                }
+                Position::Angle(_) | Position::Point(..) => None,
+            },
+            [(x, along_x), (y, along_y)] => match (readings[x], readings[y]) {
+                (Position::Point(point, Axis::X), Position::Point(other, Axis::Y))
+                    if point == other && point.to.is_none() =>
+                {
+                    self.displacement(point.of, Vec2::new(along_x, along_y))
+                }
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    /// Displacement of a point along a unit vector.
+    fn displacement(&self, point: PointId, direction: Vec2<f64>) -> Option<SpatialOutput> {
+        let point_m = lifted(point_m(&self.mechanism.model, self.values, point));
+        Some(PointOutput { body: point.body.0, point_m, direction: lifted(direction) }.into())
+    }
+}
+
+fn lifted(vector: Vec2<f64>) -> Vec3 {
+    Vec3::new(vector.x, vector.y, 0.0)
+}
+
+/// A joint in space: a pin about z, a guide along its line, or both bodies as one; `None` of others.
+fn laid(
+    mechanism: &Mechanism,
+    values: &Values,
+    kind: &loosepin_mechanics::model::JointKind,
+    name: &str,
+) -> Option<Joint> {
+    let model = &mechanism.model;
+    let angles_rad = kind.angles_rad().map(|angle_rad| angle_rad.map_or(0.0, |angle_rad| values[angle_rad]));
+    let marker = |side: usize, along_line: bool| {
+        let point = kind.points()[side];
+        let place_m = lifted(point_m(model, values, point));
+        let (sine, cosine) = angles_rad[side].sin_cos();
+        let line = Vec3::new(cosine, sine, 0.0);
+        let [z_axis, x_axis] = if along_line { [line, Vec3::Z] } else { [Vec3::Z, line] };
+        Marker::new(point.body.0, place_m, z_axis, x_axis)
+    };
+    let markers = |along_line: bool| Some((marker(0, along_line)?, marker(1, along_line)?));
+    Some(match kind.tree_attachment() {
+        TreeAttachment::Turning => {
+            let (first, second) = markers(false)?;
+            Joint::new(name, Revolute, first, second)
+        }
+        TreeAttachment::Sliding => {
+            let (first, second) = markers(true)?;
+            Joint::new(name, Prismatic, first, second)
+        }
+        TreeAttachment::Fixed => {
+            let (first, second) = markers(false)?;
+            Joint::new(name, Rigid, first, second)
+        }
+        TreeAttachment::Never => return None,
+    })
+}
