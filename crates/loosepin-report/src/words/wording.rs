@@ -13,7 +13,7 @@ use loosepin_text::article::Text;
 use loosepin_text::units::SiUnit;
 
 pub(crate) fn deviation_words(of: Deviation) -> String {
-    if of.is_value() { "value".to_owned() } else { format!("deviation{}", due_to_words(of)) }
+    if of.is_value() { of.noun().to_owned() } else { format!("{}{}", of.noun(), due_to_words(of)) }
 }
 
 /// The cause of a deviation, behind the word for it; empty where all of it is meant.
