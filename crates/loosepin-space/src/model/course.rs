@@ -193,7 +193,7 @@ fn add_effects(known: &mut JointContributor, joint: usize, gains: &Gains, by_pla
     });
     let offset = of_ends.map(|[offset, _]| offset).or_else(|| alone(PlayPart::is_offset));
     known.offset_si.push(offset.unwrap_or_default());
-    known.lean_si.extend(of_ends.map(|[_, lean]| lean));
+    known.lean_si.extend(of_ends.map(|[_, lean]| lean).or_else(|| alone(PlayPart::is_lean)));
     known.axial_si.extend(alone(PlayPart::is_axial));
 }
 

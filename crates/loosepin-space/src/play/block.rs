@@ -33,6 +33,11 @@ impl PlayPart {
         matches!(self, Self::Axial)
     }
 
+    /// Whether it turns the journal's axis alone.
+    pub(crate) fn is_lean(self) -> bool {
+        matches!(self, Self::Lean)
+    }
+
     /// Number of the end plane of the bearing in which it displaces the journal's axis: 0 at z = -l/2, 1 at z = +l/2.
     pub(crate) fn end_plane(self) -> Option<usize> {
         match self {
@@ -102,16 +107,17 @@ mod tests {
         let [first, second] = Block::end_planes(0.25);
         // The way of each, and its freedoms: a ball has three, a plane two, a line one.
         let blocks = [
-            (Block::ball(0.25), [true, false, false], 3),
-            (first, [false, false, true], 2),
-            (second, [false, false, true], 2),
-            (Block::across(0.25), [true, false, false], 2),
-            (Block::axial(0.25), [false, true, false], 1),
-            (Block::lean(0.25), [false; 3], 2),
-            (Block::single(0.25), [false, true, false], 1),
+            (Block::ball(0.25), [true, false, false, false], 3),
+            (first, [false, false, false, true], 2),
+            (second, [false, false, false, true], 2),
+            (Block::across(0.25), [true, false, false, false], 2),
+            (Block::axial(0.25), [false, true, false, false], 1),
+            (Block::lean(0.25), [false, false, true, false], 2),
+            (Block::single(0.25), [false, true, false, false], 1),
         ];
         for (Block { part, radius }, ways, size) in blocks {
-            assert_eq!([part.is_offset(), part.is_axial(), part.end_plane().is_some()], ways, "{part:?}");
+            let own = [part.is_offset(), part.is_axial(), part.is_lean(), part.end_plane().is_some()];
+            assert_eq!(own, ways, "{part:?}");
             assert_eq!((part.size(), radius), (size, 0.25), "{part:?}");
         }
         assert_eq!([first, second].map(|block| block.part.end_plane()), [Some(0), Some(1)]);
