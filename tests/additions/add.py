@@ -9,6 +9,13 @@ Each file NAME.toml beside this one is an addition:
     path = "crates/..."
     before = "..."
     text = "..."
+    [test]                         tests of the copy that must pass, if there is something false to put in
+    arguments = ["--package", "..."]
+    [[false]]                      lines that are false of the addition, put in as above: then one of these tests must fail
+    path = "crates/..."
+    before = "..."
+    text = "..."
+    fails = "its name"
     [run]                          what is run then, with files of its own, and what it must print
     files = { "model.toml" = '''...''' }
     arguments = ["check", "model.toml"]
@@ -38,6 +45,9 @@ def add_all(names: list[str]) -> dict[str, str]:
         build = ["cargo", "build", "--quiet", "--locked", "--bin", "loosepin", "--target-dir", target]
         if subprocess.run(build, cwd=copy).returncode != 0:
             return {name: "the tree with the additions does not build" for name in names}
+        for name in names:
+            if name not in failures and (wrong := test(copy, target, additions[name])) is not None:
+                failures[name] = wrong
     finally:
         subprocess.run(["git", "worktree", "remove", "--force", copy], cwd=TREE, check=True)
     for name in names:
@@ -54,13 +64,42 @@ def write(copy: pathlib.Path, addition: dict) -> str | None:
             return f"{new['path']} is there"
         path.write_text(new["text"])
     for line in addition.get("line", []):
-        path = copy / line["path"]
-        lines = path.read_text().split("\n")
-        place = next((index for index, own in enumerate(lines) if own.startswith(line["before"])), None)
-        if place is None:
-            return f"{line['path']} has no line that begins '{line['before']}'"
-        lines.insert(place, line["text"])
-        path.write_text("\n".join(lines))
+        if (wrong := insert(copy, line)) is not None:
+            return wrong
+    return None
+
+
+def insert(copy: pathlib.Path, line: dict) -> str | None:
+    path = copy / line["path"]
+    lines = path.read_text().split("\n")
+    place = next((index for index, own in enumerate(lines) if own.startswith(line["before"])), None)
+    if place is None:
+        return f"{line['path']} has no line that begins '{line['before']}'"
+    lines.insert(place, line["text"])
+    path.write_text("\n".join(lines))
+    return None
+
+
+def test(copy: pathlib.Path, target: pathlib.Path, addition: dict) -> str | None:
+    """What is wrong with the tests of an addition: they must pass, and each falsehood by itself must fail one."""
+    if "test" not in addition:
+        return None
+
+    def tested() -> subprocess.CompletedProcess:
+        command = ["cargo", "test", "--quiet", "--locked", "--target-dir", target, *addition["test"]["arguments"]]
+        return subprocess.run(command, cwd=copy, capture_output=True, text=True)
+
+    if (answer := tested()).returncode != 0:
+        return f"its tests fail: {answer.stdout}{answer.stderr}"
+    for false in addition.get("false", []):
+        path = copy / false["path"]
+        text = path.read_text()
+        if (wrong := insert(copy, false)) is not None:
+            return wrong
+        answer = tested()
+        path.write_text(text)
+        if not any(line.endswith(false["fails"]) for line in answer.stdout.split("failures:")[-1].splitlines()):
+            return f"'{false['fails']}' does not fail with what is false: {answer.stdout}{answer.stderr}"
     return None
 
 

@@ -49,8 +49,8 @@ macro_rules! deviations {
             }
         }
 
-        // No other question is asked of the ideal motion of the same parts: it has no words, and runs do not record it by itself.
-        $(const _: () = assert!(Deviation::$name.has_play() || Deviation::$name.is_from_drawing());)*
+        // From the ideal motion of the same parts itself it is zero.
+        $(const _: () = assert!(Deviation::$name.has_play() || !Deviation::$name.is_by_play_alone());)*
     };
 }
 
@@ -79,6 +79,20 @@ impl Deviation {
     /// Whether it is the output itself, and no deviation.
     pub const fn is_value(self) -> bool {
         matches!(self.reference(), Reference::Zero)
+    }
+
+    /// Whether it is the output itself as a run has it.
+    pub const fn is_value_of_run(self) -> bool {
+        self.is_value() && self.has_play()
+    }
+
+    /// The noun for it, without its cause.
+    pub const fn noun(self) -> &'static str {
+        match (self.is_value(), self.has_play()) {
+            (true, true) => "value",
+            (true, false) => "ideal value",
+            (false, _) => "deviation",
+        }
     }
 
     /// Whether it counts from the ideal motion with the dimensions of the drawing, not from that of the same mechanism without clearance.
@@ -150,6 +164,7 @@ mod tests {
             (Deviation::Total, 5.0, None),
         ] {
             assert_eq!((of(deviation), deviation.cause()), (value, cause), "{deviation:?}");
+            assert_eq!(deviation.noun() == "deviation", !deviation.is_value(), "{deviation:?}");
         }
         assert_eq!(of(Deviation::Total), of(Deviation::Dimensional) + of(Deviation::Clearance));
     }

@@ -23,6 +23,48 @@ impl Treatment {
             Self::Mixed => "mixed",
         }
     }
+
+    /// That of bounds: what is unknown stays unknown.
+    pub const fn of_bounds() -> Self {
+        Self::Mixed
+    }
+
+    /// Whether random inputs are random and epistemic inputs unknown, as in bounds.
+    pub const fn is_mixed(self) -> bool {
+        matches!(self, Self::Mixed)
+    }
+
+    /// Whether it is the worst case of all inputs, without probabilities.
+    pub const fn is_worst_case(self) -> bool {
+        matches!(self, Self::IntervalOnly)
+    }
+
+    /// Name for people, as a heading has it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::ProbabilityOnly => "Probability only",
+            Self::IntervalOnly => "Interval only",
+            Self::Mixed => "Mixed",
+        }
+    }
+
+    /// What it assumes: a sentence without its end.
+    pub fn assumption(self) -> &'static str {
+        match self {
+            Self::ProbabilityOnly => "Probability only takes every unknown value as random",
+            Self::IntervalOnly => "Interval only takes the worst case of all inputs, random ones included",
+            Self::Mixed => "Mixed keeps random inputs random and unknown values unknown",
+        }
+    }
+
+    /// Word for its colour in figures.
+    pub fn colour(self) -> &'static str {
+        match self {
+            Self::ProbabilityOnly => "probability",
+            Self::IntervalOnly => "worst",
+            Self::Mixed => "mixed",
+        }
+    }
 }
 
 #[cfg(test)]
@@ -33,6 +75,9 @@ mod tests {
     fn identity_the_word_is_what_files_hold() {
         for treatment in [Treatment::ProbabilityOnly, Treatment::IntervalOnly, Treatment::Mixed] {
             assert_eq!(serde_json::to_value(treatment).unwrap(), treatment.word());
+            assert_eq!(treatment.name().to_lowercase().replace(' ', "_"), treatment.word());
+            assert!(treatment.assumption().starts_with(treatment.name()), "{treatment:?}");
+            assert_eq!(treatment.is_mixed(), treatment == Treatment::of_bounds());
         }
     }
 }

@@ -124,7 +124,7 @@ const SCRIPTS: [(&str, &[&str]); 3] = [
 ];
 
 /// Enums whose variants only their own folder names, with that folder. Everybody else asks a variant what it is like.
-const ONE_PLACE: [(&str, &str); 28] = [
+const ONE_PLACE: [(&str, &str); 33] = [
     ("Deviation", "loosepin-terms/src/deviation.rs"),
     ("Reduction", "loosepin-terms/src/reduction/"),
     ("Where", "loosepin-study/src/places.rs"),
@@ -153,6 +153,11 @@ const ONE_PLACE: [(&str, &str); 28] = [
     ("SpatialKind", "loosepin-space/src/kind/"),
     ("SpatialPlay", "loosepin-space/src/kind/"),
     ("SpatialOutput", "loosepin-space/src/output/"),
+    ("ModelOutputKind", "loosepin-space/src/model/output/"),
+    ("PlayPart", "loosepin-space/src/play/"),
+    ("JointSign", "loosepin-space/src/kind/"),
+    ("Treatment", "loosepin-terms/src/treatment.rs"),
+    ("Guarantee", "loosepin-terms/src/guarantee.rs"),
 ];
 
 /// Crates that may name all variants: they compare what is known of each.

@@ -223,7 +223,7 @@ fn group_bounds(
                 let (mut lower, is_lower) = end(&pair.lower, Direction::Minimum);
                 let (mut upper, is_upper) = end(&pair.upper, Direction::Maximum);
                 if !(is_lower && is_upper) {
-                    (lower.guarantee, upper.guarantee) = (Guarantee::Inner, Guarantee::Inner);
+                    (lower.guarantee, upper.guarantee) = (Guarantee::unconfirmed(), Guarantee::unconfirmed());
                 }
                 if failed > 0 {
                     (lower, upper) =
@@ -267,7 +267,7 @@ fn not_known(bound: Bound, request: Request, direction: Direction) -> Bound {
     }
     let widened = furthest_possible(request.statistic, direction);
     let error = BoundError { surrogate: nothing_known_error(request.statistic), ..bound.error };
-    Bound { widened, error, guarantee: Guarantee::Inner, ..bound }
+    Bound { widened, error, guarantee: Guarantee::unconfirmed(), ..bound }
 }
 
 /// The bounds that say nothing.
@@ -275,7 +275,7 @@ fn nothing_known(request: &Request, failed_runs: usize) -> BoundPair {
     let error = BoundError { surrogate: nothing_known_error(request.statistic), ..BoundError::default() };
     let ends = Direction::BOTH.map(|direction| {
         let value = furthest_possible(request.statistic, direction);
-        Bound { value, widened: value, witness: None, error, guarantee: Guarantee::Inner }
+        Bound { value, widened: value, witness: None, error, guarantee: Guarantee::unconfirmed() }
     });
     BoundPair::new(request.column, request.statistic, ends, failed_runs)
 }
@@ -320,9 +320,6 @@ fn put_together(
     let error = BoundError { sampling, optimisation: bound.error.optimisation, surrogate };
     let [least, greatest] = request.statistic.range();
     let widened = error.widen(value, direction).clamp(least, greatest);
-    let guarantee = match bound.guarantee {
-        Guarantee::Sampled { .. } => Guarantee::Sampled { confidence: plan.stated_confidence },
-        other => other,
-    };
+    let guarantee = bound.guarantee.with_confidence(|| plan.stated_confidence);
     (Bound { value, widened, witness: bound.witness.clone(), error, guarantee }, is_confirmed)
 }

@@ -118,7 +118,7 @@ fn with_error(bands: &[&Band], has_gaps: bool) -> Band {
         let surrogate = furthest - sign * own.value;
         let surrogate = if has_gaps || surrogate.is_nan() { f64::INFINITY } else { surrogate.max(0.0) };
         let error = BoundError { surrogate, ..own.error };
-        Bound { widened: own.value + sign * error.total(), error, guarantee: Guarantee::Inner, ..own.clone() }
+        Bound { widened: own.value + sign * error.total(), error, guarantee: Guarantee::unconfirmed(), ..own.clone() }
     };
     let lower = end(|band| &band.lower, Direction::Minimum);
     let upper = end(|band| &band.upper, Direction::Maximum);

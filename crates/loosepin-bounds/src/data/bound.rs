@@ -109,7 +109,7 @@ impl BoundPair {
     /// Weaker guarantee of the two ends: failed runs may have had any response, so that of means and deviations no bound exists then.
     pub fn guarantee(&self) -> Guarantee {
         let of_ends = self.lower.guarantee.weaker(self.upper.guarantee);
-        if self.unbounded_by_failures { of_ends.weaker(Guarantee::FinishedRuns) } else { of_ends }
+        if self.unbounded_by_failures { of_ends.weaker(Guarantee::of_finished_runs()) } else { of_ends }
     }
 
     /// Both ends as they are shown and stored. Where failed runs leave no bound, the widened ends are without end; values and errors stay those

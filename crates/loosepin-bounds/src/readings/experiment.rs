@@ -101,11 +101,8 @@ impl<'a> Experiment<'a> {
     /// The kind of guarantee that bounds from these runs have.
     pub fn guarantee(&self) -> Guarantee {
         let problem = &self.setup.problem;
-        match (problem.random.is_empty(), self.setup.has_no_epistemic_inputs()) {
-            (true, true) => Guarantee::Enclosure,
-            (true, false) => Guarantee::Optimised,
-            (false, _) => Guarantee::Sampled { confidence: problem.sampling.confidence },
-        }
+        let (has_random, has_epistemic) = (!problem.random.is_empty(), !self.setup.has_no_epistemic_inputs());
+        Guarantee::of_inputs(has_random, has_epistemic, problem.sampling.confidence)
     }
 
     /// The bound that says nothing.

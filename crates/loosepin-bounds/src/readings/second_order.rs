@@ -222,7 +222,7 @@ impl Experiment<'_> {
         });
         let witness =
             Witness { purpose: Purpose::DoubleLoop, point: 0, epistemic: epistemic.collect(), random: Vec::new() };
-        let guarantee = Guarantee::Sampled { confidence: self.setup.problem.sampling.confidence };
+        let guarantee = Guarantee::of_sample(self.setup.problem.sampling.confidence);
         Bound { value, widened, witness: Some(witness), error, guarantee }
     }
 

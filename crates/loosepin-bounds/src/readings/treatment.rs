@@ -124,7 +124,7 @@ fn mixed_ends(experiment: &Experiment<'_>, columns: &[usize]) -> Vec<[Bound; 2]>
 fn probability_only_ends(experiment: &Experiment<'_>, pool: &Pool, columns: &[usize]) -> Vec<[Bound; 2]> {
     let setup = experiment.setup;
     let tail = 0.5 * (1.0 - setup.problem.band_probability);
-    let guarantee = Guarantee::Sampled { confidence: setup.problem.sampling.confidence };
+    let guarantee = Guarantee::of_sample(setup.problem.sampling.confidence);
     let end = |value: f64, sign: f64, sampling: f64| {
         Bound::without_witness(value, value + sign * sampling, BoundError::of_runs(sampling, 0.0), guarantee)
     };
@@ -158,7 +158,7 @@ fn interval_only_ends(experiment: &Experiment<'_>, pool: &Pool, columns: &[usize
             let optimisation = (sign * (further - value)).max(sign * (searched - value)).max(conceded);
             let has_box = setup.joint_box.dimensions() > 0;
             let error = BoundError { optimisation: if has_box { optimisation } else { 0.0 }, ..BoundError::default() };
-            Bound { value, widened: error.widen(value, direction), witness, error, guarantee: Guarantee::Optimised }
+            Bound { value, widened: error.widen(value, direction), witness, error, guarantee: Guarantee::of_search() }
         })
     })
 }

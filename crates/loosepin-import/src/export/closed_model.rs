@@ -1,6 +1,6 @@
 //! What both formats are written from.
 
-use loosepin_space::{BodyTree, Frame, ModelOutputKind, PointId, SpatialMechanism, SpatialModel};
+use loosepin_space::{BodyTree, Frame, PointId, SpatialMechanism, SpatialModel};
 use loosepin_text::numbers::Values;
 
 /// A model with its nominal values, closed at the start.
@@ -27,7 +27,7 @@ impl Export<'_> {
     pub fn output_points(&self) -> Vec<PointId> {
         let mut points = Vec::new();
         for output in &self.model.outputs {
-            if let ModelOutputKind::Position { point, .. } | ModelOutputKind::Path { point } = output.kind
+            if let Some(point) = output.kind.point()
                 && !points.contains(&point)
             {
                 points.push(point);

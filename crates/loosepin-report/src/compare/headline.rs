@@ -7,7 +7,7 @@ use super::statistics::{Weight, is_same};
 use crate::numbers::number::{NumberWriter, Rounding, significant};
 use crate::study::output_summary::{OutputSummary, output_summaries};
 use crate::words::wording::{capitalised, deviation_of, verdict_words};
-use loosepin_result::study::{BoundRecord, DeviationCurve, ResponsePoint, StudyResult, Treatment, Verdict};
+use loosepin_result::study::{BoundRecord, DeviationCurve, ResponsePoint, StudyResult, Verdict};
 use loosepin_text::units::SiUnit;
 
 /// Headline if the studies share no main answer.
@@ -179,7 +179,8 @@ pub(super) fn is_same_curve(a: &DeviationCurve, b: &DeviationCurve) -> bool {
 /// bound of this pose, the largest error of the curve is given.
 fn error_at_si(result: &StudyResult, curve: &DeviationCurve, (pose_rad, reach_si): (f64, f64)) -> f64 {
     let is_there = |bound: &&BoundRecord| {
-        (&bound.output, bound.of, bound.treatment) == (&curve.output, curve.of, Treatment::Mixed)
+        (&bound.output, bound.of) == (&curve.output, curve.of)
+            && bound.treatment.is_mixed()
             && bound.at == ResponsePoint::Curve { pose_rad }
             && bound.statistic.probability_of_quantile().is_some_and(|p| curve.probabilities.contains(&p))
     };

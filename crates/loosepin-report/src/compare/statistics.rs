@@ -5,8 +5,8 @@ use serde::Serialize;
 use super::outputs::SharedOutputs;
 use crate::numbers::number::{NumberWriter, Rounding, significant};
 use crate::words::bound::found_value;
-use crate::words::wording::{output_unit, reading_words, response_words, statistic_words, treatment_words};
-use loosepin_result::study::{BoundEnd, BoundRecord, ResponsePoint, StudyResult, Treatment};
+use crate::words::wording::{output_unit, reading_words, response_words, statistic_words};
+use loosepin_result::study::{BoundEnd, BoundRecord, ResponsePoint, StudyResult};
 
 /// Digits of a difference of shares, percentage points.
 const POINT_DIGITS: usize = 2;
@@ -130,9 +130,9 @@ fn words(result: &StudyResult, bound: &BoundRecord, writer: &NumberWriter) -> St
 fn statistic(result: &StudyResult, bound: &BoundRecord, writer: &NumberWriter) -> String {
     // A limit has the unit of the output, not that of the probability.
     let words = statistic_words(bound.statistic, &output_unit(result, &bound.output), writer);
-    match bound.treatment {
-        Treatment::Mixed => words,
-        treatment => format!("{words} ({})", treatment_words(treatment).to_lowercase()),
+    match bound.treatment.is_mixed() {
+        true => words,
+        false => format!("{words} ({})", bound.treatment.name().to_lowercase()),
     }
 }
 

@@ -4,7 +4,7 @@ use crate::compare::{NOTHING_IN_COMMON, compare_studies};
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::words::wording::{output_unit, response_words, statistic_words};
 use loosepin_result::identification::{Gain, GainedBound};
-use loosepin_result::study::{BoundRecord, ResponsePoint, StudyResult, Treatment};
+use loosepin_result::study::{BoundRecord, ResponsePoint, StudyResult};
 use loosepin_text::article::{Column, Content, Medium, Section, Table, Text};
 
 /// Digits of a bound.
@@ -15,7 +15,7 @@ pub fn identification_gain(before: &StudyResult, after: &StudyResult) -> Gain {
     let writer = NumberWriter::for_terminal(&before.display_units);
     let compared = compare_studies(before, after);
     let is_shown =
-        |bound: &&BoundRecord| bound.treatment == Treatment::Mixed && !matches!(bound.at, ResponsePoint::Curve { .. });
+        |bound: &&BoundRecord| bound.treatment.is_mixed() && !matches!(bound.at, ResponsePoint::Curve { .. });
     let is_same = |a: &BoundRecord, b: &BoundRecord| {
         a.output == b.output && a.of == b.of && a.at == b.at && a.statistic == b.statistic && a.reading == b.reading
     };

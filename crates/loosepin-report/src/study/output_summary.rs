@@ -7,9 +7,7 @@ use crate::study::subject::{Subject, subject};
 use crate::words::failed::why_quantile_has_no_end;
 use crate::words::few_samples::too_few_samples;
 use crate::words::wording::output_words;
-use loosepin_result::study::{
-    BoundRecord, Deviation, DeviationCurve, Guarantee, Reduction, ResponsePoint, StudyResult, Treatment, Verdict,
-};
+use loosepin_result::study::{BoundRecord, Deviation, DeviationCurve, Reduction, ResponsePoint, StudyResult, Verdict};
 use loosepin_text::units::{SiUnit, distinct};
 
 /// Digits of a bound in a sentence.
@@ -55,7 +53,7 @@ fn severity(verdict: Verdict) -> u8 {
 /// What answers for an output: the total before its parts, the largest value over the cycle before the curve. Where neither was asked for: every
 /// place at which statistics were asked for, with all of them.
 fn of_output<'r>(result: &'r StudyResult, name: &str) -> Vec<OutputSummary<'r>> {
-    let bounds = || result.bounds.iter().filter(|bound| bound.output == name && bound.treatment == Treatment::Mixed);
+    let bounds = || result.bounds.iter().filter(|bound| bound.output == name && bound.treatment.is_mixed());
     let largest = || {
         let of_deviation = bounds().filter(|bound| !bound.of.is_value());
         of_deviation.filter_map(|bound| Some(OutputSummary::Largest(bound, probability_of_largest(bound)?)))
@@ -77,8 +75,7 @@ fn of_output<'r>(result: &'r StudyResult, name: &str) -> Vec<OutputSummary<'r>> 
 
 /// The first quantile of a largest total deviation that is asked for, with its probability.
 pub(crate) fn main_bound(bounds: &[BoundRecord]) -> Option<(&BoundRecord, f64)> {
-    let mut total =
-        bounds.iter().filter(|bound| bound.treatment == Treatment::Mixed && bound.of == Deviation::of_all_causes());
+    let mut total = bounds.iter().filter(|bound| bound.treatment.is_mixed() && bound.of == Deviation::of_all_causes());
     total.find_map(|bound| Some((bound, probability_of_largest(bound)?)))
 }
 
@@ -143,7 +140,7 @@ impl<'r> OutputSummary<'r> {
     /// Whether it is a bound that nothing confirms.
     pub fn is_unconfirmed(self) -> bool {
         match self {
-            Self::Largest(bound, _) | Self::Bound(bound) => bound.guarantee == Guarantee::Inner,
+            Self::Largest(bound, _) | Self::Bound(bound) => bound.guarantee.is_unconfirmed(),
             Self::Curve(_) => false,
         }
     }

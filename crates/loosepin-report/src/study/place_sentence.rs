@@ -9,7 +9,7 @@ use crate::words::wording::{
     capitalised, deviation_of, deviation_words, listed, output_unit, output_words, path_part, place_words,
     statistic_words,
 };
-use loosepin_result::study::{BoundRecord, Guarantee, ResponsePoint, StudyResult};
+use loosepin_result::study::{BoundRecord, ResponsePoint, StudyResult};
 use loosepin_text::units::SiUnit;
 
 /// The share of mechanisms whose band is told where several can be made of the quantiles.
@@ -55,7 +55,7 @@ struct Told<'r> {
 impl<'r> Told<'r> {
     /// `None` where neither a mean nor a quantile was asked for, and where a bound has no end: then the reason stands with it.
     fn of(asked: &[&'r BoundRecord]) -> Option<Self> {
-        if asked.iter().any(|bound| has_no_end(bound) || bound.guarantee == Guarantee::FinishedRuns) {
+        if asked.iter().any(|bound| has_no_end(bound) || bound.guarantee.is_of_finished_runs()) {
             return None;
         }
         let tail = 0.5 * (1.0 - USUAL_SHARE);
@@ -252,7 +252,7 @@ fn ends_sentence(result: &StudyResult, bound: &BoundRecord, unit: &SiUnit, write
 /// with it where failed runs are the reason.
 fn ends_words(result: &StudyResult, bound: &BoundRecord, writer: &NumberWriter) -> String {
     let why = why_no_end(result, bound, writer).map_or_else(String::new, |why| format!(", since {why}"));
-    if bound.guarantee == Guarantee::FinishedRuns {
+    if bound.guarantee.is_of_finished_runs() {
         let found = finished_words(bound, [" (over the finished runs it lies between ", " and "], writer);
         return format!("has no bound{why}{}", found.map_or_else(String::new, |found| found + ")"));
     }

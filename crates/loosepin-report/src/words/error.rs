@@ -7,9 +7,7 @@ use crate::study::place_sentence::asked_of_same;
 use crate::words::bound::{error_found, has_no_end};
 use crate::words::few_samples::too_few_samples;
 use crate::words::wording::{capitalised, count, is_by_surrogate};
-use loosepin_result::study::{
-    BoundRecord, DeviationCurve, Guarantee, NumericalError, ResponsePoint, StudyResult, Treatment,
-};
+use loosepin_result::study::{BoundRecord, DeviationCurve, NumericalError, ResponsePoint, StudyResult};
 
 /// From this share of the answer on an error is large.
 const LARGE_SHARE: f64 = 0.1;
@@ -39,7 +37,7 @@ impl ErrorWords {
 }
 
 pub(crate) fn error_words(result: &StudyResult, answers: &[OutputSummary<'_>], writer: &NumberWriter) -> ErrorWords {
-    let mixed = || result.bounds.iter().filter(|bound| bound.treatment == Treatment::Mixed);
+    let mixed = || result.bounds.iter().filter(|bound| bound.treatment.is_mixed());
     let headline = answers.first();
     let error_text = headline.and_then(|summary| {
         let reduced = reduction_words(result, *summary, writer).unwrap_or_default();
@@ -47,7 +45,7 @@ pub(crate) fn error_words(result: &StudyResult, answers: &[OutputSummary<'_>], w
         let (error, (of, them), of_band) = match summary {
             OutputSummary::Bound(bound) => {
                 let all = known_errors(result, bound);
-                let is_of_finished_runs = |bound: &&BoundRecord| bound.guarantee == Guarantee::FinishedRuns;
+                let is_of_finished_runs = |bound: &&BoundRecord| bound.guarantee.is_of_finished_runs();
                 let of = match all.len() {
                     _ if all.iter().all(is_of_finished_runs) => ("the numbers over the finished runs", "them"),
                     1 => ("the bound", "it"),
@@ -70,7 +68,7 @@ pub(crate) fn error_words(result: &StudyResult, answers: &[OutputSummary<'_>], w
         });
         Some((format!("Numerical error of {of}: at most {error}, included in {them}."), reduced + &of_band))
     });
-    let inner = mixed().filter(|bound| bound.guarantee == Guarantee::Inner).count();
+    let inner = mixed().filter(|bound| bound.guarantee.is_unconfirmed()).count();
     let endless = |bound: &&BoundRecord| [&bound.lower, &bound.upper].iter().any(|end| end.widened_si.is_infinite());
     let (size, further) = match error_text {
         Some((size, further)) if answers.len() > 1 => {
@@ -123,7 +121,7 @@ fn known_errors<'r>(result: &'r StudyResult, first: &BoundRecord) -> Vec<&'r Bou
     let mut all = asked_of_same(result, first);
     all.retain(|bound| {
         let is_known = bound.lower.error.total_si().max(bound.upper.error.total_si()).is_finite();
-        is_known && (bound.guarantee == Guarantee::FinishedRuns || !has_no_end(bound))
+        is_known && (bound.guarantee.is_of_finished_runs() || !has_no_end(bound))
     });
     all
 }
@@ -215,7 +213,8 @@ fn larger(a: NumericalError, b: NumericalError) -> NumericalError {
 /// The bounds at the poses of a curve that are the ends of its band.
 fn bounds_of_curve<'r>(result: &'r StudyResult, curve: &'r DeviationCurve) -> impl Iterator<Item = &'r BoundRecord> {
     result.bounds.iter().filter(|bound| {
-        (&bound.output, bound.of, bound.treatment) == (&curve.output, curve.of, Treatment::Mixed)
+        (&bound.output, bound.of) == (&curve.output, curve.of)
+            && bound.treatment.is_mixed()
             && matches!(bound.at, ResponsePoint::Curve { .. })
             && bound.statistic.probability_of_quantile().is_some_and(|p| curve.probabilities.contains(&p))
     })

@@ -5,7 +5,7 @@ use crate::numbers::tag::Tag;
 use crate::words::bound::{finished_value, has_no_end};
 use crate::words::few_samples::too_few_samples;
 use crate::words::wording::{count, is_by_surrogate};
-use loosepin_result::study::{BoundRecord, Guarantee, StudyResult, Treatment};
+use loosepin_result::study::{BoundRecord, StudyResult};
 
 /// From this share of failed runs on, an answer begins with them.
 const MIN_LEADING_SHARE: f64 = 0.01;
@@ -15,7 +15,7 @@ const MIN_LEADING_SHARE: f64 = 0.01;
 pub(crate) fn failed_sentence(result: &StudyResult, writer: &NumberWriter) -> Option<String> {
     let counts = &result.counts;
     let share = counts.failed as f64 / counts.runs.max(1) as f64;
-    let mixed = || result.bounds.iter().filter(|bound| bound.treatment == Treatment::Mixed);
+    let mixed = || result.bounds.iter().filter(|bound| bound.treatment.is_mixed());
     let leaves_no_bound = || mixed().any(|bound| why_no_end(result, bound, writer).is_some());
     if counts.failed == 0 || (share < MIN_LEADING_SHARE && !leaves_no_bound()) {
         return None;
@@ -50,7 +50,7 @@ fn reason_words(code: &str) -> Option<&'static str> {
 
 /// Why failed runs leave a bound without an end; `None` where it has both, or where they are not the reason.
 pub(crate) fn why_no_end(result: &StudyResult, bound: &BoundRecord, writer: &NumberWriter) -> Option<&'static str> {
-    if bound.guarantee == Guarantee::FinishedRuns {
+    if bound.guarantee.is_of_finished_runs() {
         return Some("a failed run may have had any value");
     }
     let probability = bound.statistic.probability_of_quantile()?;
@@ -75,7 +75,7 @@ pub(crate) fn why_quantile_has_no_end(
 /// "finished runs: 0° to 0.0546°": the statistic of the finished runs, with its numerical error; `None` if it is not one of these alone.
 pub(crate) fn finished_words(bound: &BoundRecord, between: [&str; 2], writer: &NumberWriter) -> Option<String> {
     let is_known = [&bound.lower, &bound.upper].iter().all(|end| end.value_si.is_finite());
-    if bound.guarantee != Guarantee::FinishedRuns || !is_known {
+    if !bound.guarantee.is_of_finished_runs() || !is_known {
         return None;
     }
     let lower = finished_value(&bound.lower, bound, Rounding::Down, writer);

@@ -64,7 +64,7 @@ fn excess_words(result: &StudyResult, further: &FurtherTurns, writer: &NumberWri
 fn extreme_words(one: &FurtherOutput, result: &StudyResult) -> String {
     let which = one.reduction.description().with_article;
     if one.of.is_value() {
-        format!("{which} value of {}", output_words(&one.output, &result.outputs))
+        format!("{which} {} of {}", one.of.noun(), output_words(&one.output, &result.outputs))
     } else {
         format!("{which} {}", deviation_of(&one.output, one.of, &result.outputs))
     }

@@ -2,7 +2,7 @@
 
 use crate::numbers::number::NumberWriter;
 use crate::words::wording::{deviation_of, output_unit, place_words, response_words, statistic_words};
-use loosepin_result::study::{BoundRecord, StudyResult, Treatment, Witness};
+use loosepin_result::study::{BoundRecord, StudyResult, Witness};
 
 /// Bounds that are named at a witness, at most.
 const MAX_NAMED: usize = 3;
@@ -45,8 +45,7 @@ fn attained(result: &StudyResult, witness: &Witness, writer: &NumberWriter) -> V
         let subject = deviation_of(&own.output, own.of, &result.outputs);
         format!("fewest mechanisms stay within the limit: {subject} {}", place_words(own.at, writer))
     });
-    let bounds =
-        || result.bounds.iter().filter(|bound| bound.treatment == Treatment::Mixed && bound.at.pose_rad().is_none());
+    let bounds = || result.bounds.iter().filter(|bound| bound.treatment.is_mixed() && bound.at.pose_rad().is_none());
     let told = |end: &str, bound: &BoundRecord| {
         let response = response_words(result, (&bound.output, bound.of, bound.at), writer);
         let statistic = statistic_words(bound.statistic, &output_unit(result, &bound.output), writer);

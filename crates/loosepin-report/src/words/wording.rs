@@ -6,14 +6,14 @@ use crate::words::bound::NO_ERROR;
 use loosepin_result::simulation::SimulationRecord;
 use loosepin_result::study::{
     BoundRecord, Deviation, Guarantee, InputDescription, InputKind, NumberKind, OutputDescription, PathError,
-    PromiseRecord, Reading, ResponsePoint, Statistic, StudyResult, SurrogateRecord, Treatment, TreatmentBand,
-    TreatmentComparison, Verdict,
+    PromiseRecord, Reading, ResponsePoint, Statistic, StudyResult, SurrogateRecord, TreatmentBand, TreatmentComparison,
+    Verdict,
 };
 use loosepin_text::article::Text;
 use loosepin_text::units::SiUnit;
 
 pub(crate) fn deviation_words(of: Deviation) -> String {
-    if of.is_value() { "value".to_owned() } else { format!("deviation{}", due_to_words(of)) }
+    if of.is_value() { of.noun().to_owned() } else { format!("{}{}", of.noun(), due_to_words(of)) }
 }
 
 /// The cause of a deviation, behind the word for it; empty where all of it is meant.
@@ -51,14 +51,6 @@ pub(crate) fn band_digits(comparison: &TreatmentComparison) -> usize {
     let widths = comparison.bands.iter().map(TreatmentBand::width_si).filter(|width| *width > 0.0 && width.is_finite());
     let more = (largest / widths.fold(f64::INFINITY, f64::min)).log10().floor();
     WIDTH_DIGITS + if more.is_finite() { more.clamp(0.0, 9.0) as usize } else { 0 }
-}
-
-pub(crate) fn treatment_words(treatment: Treatment) -> &'static str {
-    match treatment {
-        Treatment::ProbabilityOnly => "Probability only",
-        Treatment::IntervalOnly => "Interval only",
-        Treatment::Mixed => "Mixed",
-    }
 }
 
 /// "93 % to 100 %": the share inside a band, over the epistemic inputs.
@@ -120,18 +112,8 @@ pub(crate) fn reading_beside(result: &StudyResult, bound: &BoundRecord) -> Strin
 
 pub(crate) fn guarantee_words(guarantee: Guarantee, writer: &NumberWriter) -> String {
     let writer = writer.with_tag(&Tag::Given("confidence"));
-    match guarantee {
-        Guarantee::Enclosure => "proven, rounding errors included".to_owned(),
-        Guarantee::Optimised => "found by a search over the intervals, not proven".to_owned(),
-        Guarantee::Sampled { confidence } => {
-            format!(
-                "estimated from samples, with {} confidence in this statistic by itself",
-                writer.percent(confidence, Rounding::Nearest)
-            )
-        }
-        Guarantee::Inner => "may be too narrow: not confirmed".to_owned(),
-        Guarantee::FinishedRuns => "none: found over the finished runs only".to_owned(),
-    }
+    let confidence = guarantee.confidence().map(|confidence| writer.percent(confidence, Rounding::Nearest));
+    guarantee.words().replace("{}", &confidence.unwrap_or_default())
 }
 
 /// A verdict in a word or two: `met`, `not met`, `undecided`, `promised`.

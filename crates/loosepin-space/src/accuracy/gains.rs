@@ -32,16 +32,17 @@ impl Gains {
     /// The gains of a joint with a bearing of length l, in terms of e = (u1 + u2)/2 and w = (u2 - u1)/l: g_e = g_1 + g_2,
     /// g_w = (g_2 - g_1) l/2. `None` for joints without end planes.
     pub fn journal(&self, joint: usize, bearing_length_m: f64) -> Option<JournalGain> {
-        let of = |part: PlayPart| {
-            let block = self.blocks.iter().find(|block| block.joint == joint && block.part == part)?;
+        let of = |is_it: &dyn Fn(PlayPart) -> bool| {
+            let block = self.blocks.iter().find(|block| block.joint == joint && is_it(block.part))?;
             self.by_play.get(block.range())
         };
-        let (&[x1, y1], &[x2, y2]) = (of(PlayPart::FirstEnd)?, of(PlayPart::SecondEnd)?) else { return None };
+        let of_end = |plane: usize| of(&|part| part.end_plane() == Some(plane));
+        let (&[x1, y1], &[x2, y2]) = (of_end(0)?, of_end(1)?) else { return None };
         let half = 0.5 * bearing_length_m;
         Some(JournalGain {
             displacement: [x1 + x2, y1 + y2],
             slope: [(x2 - x1) * half, (y2 - y1) * half],
-            axial: of(PlayPart::Axial).and_then(|axial| axial.first()).copied().unwrap_or(0.0),
+            axial: of(&PlayPart::is_axial).and_then(|axial| axial.first()).copied().unwrap_or(0.0),
         })
     }
 }

@@ -3,7 +3,7 @@
 use crate::accuracy::linear::planes::Planes;
 use crate::accuracy::linear::slice::largest;
 use crate::accuracy::play_set::PlaySet;
-use crate::play::block::PlayPart;
+use crate::play::block::Block;
 
 /// Largest multiple of the errors that is looked at: beyond it they do not matter.
 pub(crate) const MAX_MULTIPLE: f64 = 1e6;
@@ -45,7 +45,7 @@ pub(crate) fn largest_multiple(set: &PlaySet, rows: &[Vec<f64>], right: &[f64], 
     };
     let single = rows.iter().zip(right).filter(is_reached).map(of_row);
     let most = (BEYOND * single.fold(f64::INFINITY, f64::min)).min(MAX_MULTIPLE);
-    let wider = set.with_block(PlayPart::Axial, most);
+    let wider = set.with_block(Block::single(most));
     let last = set.variables();
     let rows: Vec<Vec<f64>> =
         rows.iter().zip(right).map(|(row, h0)| row.iter().copied().chain([-h0 * most]).collect()).collect();

@@ -52,7 +52,7 @@ impl PlaySet {
     }
 
     /// The set with one more block, of no joint.
-    pub(crate) fn with_block(&self, part: PlayPart, radius: f64) -> Self {
+    pub(crate) fn with_block(&self, Block { part, radius }: Block) -> Self {
         let mut other = self.clone();
         other.blocks.push(PlacedBlock { joint: usize::MAX, part, radius, first: self.variables });
         other.variables += part.size();

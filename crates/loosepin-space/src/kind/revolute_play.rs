@@ -3,7 +3,7 @@
 use crate::kind::frames::MarkerShift;
 use crate::kind::joint_reader::JointReader;
 use crate::play::bearing::{BearingKeys, EndPlanes};
-use crate::play::block::{Block, PlayPart};
+use crate::play::block::Block;
 use crate::play::kind_of_play::{KindOfPlay, PlayNumbers, PlayOfFile, clearance_mistake, length_mistake};
 use loosepin_math::Vec3;
 use loosepin_text::document::{Table, quantity};
@@ -92,7 +92,7 @@ impl KindOfPlay for RevolutePlay {
 
     fn blocks(&self) -> Vec<Block> {
         let mut blocks = self.ends().blocks();
-        blocks.push(Block { part: PlayPart::Axial, radius: self.axial_clearance_m });
+        blocks.push(Block::axial(self.axial_clearance_m));
         blocks
     }
     fn marker_shift(&self, variables: &[f64]) -> MarkerShift {

@@ -18,3 +18,15 @@ pub enum JointSign {
     /// Two bodies that are one.
     Weld,
 }
+
+impl JointSign {
+    /// Whether the body of the bearing is drawn as rails along the axis.
+    pub fn has_rails(self) -> bool {
+        matches!(self, Self::Guide)
+    }
+
+    /// Whether a bearing is drawn along the axis, with its length.
+    pub fn has_bearing(self) -> bool {
+        matches!(self, Self::Pin | Self::Sleeve)
+    }
+}

@@ -2,7 +2,7 @@
 
 use crate::kind::frames::MarkerShift;
 use crate::kind::joint_reader::JointReader;
-use crate::play::block::{Block, PlayPart};
+use crate::play::block::Block;
 use crate::play::clearance::fits_in_radius;
 use crate::play::kind_of_play::{KindOfPlay, PlayNumbers, PlayOfFile, clearance_mistake};
 use loosepin_math::Vec3;
@@ -59,7 +59,7 @@ impl KindOfPlay for SphericalPlay {
     const JOINT: &'static str = "spherical";
 
     fn blocks(&self) -> Vec<Block> {
-        vec![Block { part: PlayPart::Ball, radius: self.radial_clearance_m }]
+        vec![Block::ball(self.radial_clearance_m)]
     }
     fn marker_shift(&self, variables: &[f64]) -> MarkerShift {
         let &[x, y, z] = variables else { return MarkerShift::default() };

@@ -1,7 +1,7 @@
 //! Play of a pin that does not lean.
 
 use crate::kind::frames::MarkerShift;
-use crate::play::block::{Block, PlayPart};
+use crate::play::block::Block;
 use crate::play::kind_of_play::{KindOfPlay, PlayNumbers, clearance_mistake};
 use loosepin_math::Vec3;
 use loosepin_text::units::{Dimension as D, format_value};
@@ -35,10 +35,7 @@ impl KindOfPlay for UprightPlay {
     const JOINT: &'static str = "revolute";
 
     fn blocks(&self) -> Vec<Block> {
-        vec![
-            Block { part: PlayPart::Across, radius: self.radial_clearance_m },
-            Block { part: PlayPart::Axial, radius: self.axial_clearance_m },
-        ]
+        vec![Block::across(self.radial_clearance_m), Block::axial(self.axial_clearance_m)]
     }
     fn marker_shift(&self, variables: &[f64]) -> MarkerShift {
         let &[x, y, axial] = variables else { return MarkerShift::default() };

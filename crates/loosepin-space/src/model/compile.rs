@@ -2,7 +2,8 @@
 
 use super::direction::{Direction, vector};
 use super::marker::{ModelMarker, ModelMisalignment, PointId};
-use super::parts::{ModelCycleSpan, ModelGuess, ModelJoint, ModelOutputKind, SpatialModel};
+use super::output::{ModelOutputKind, OutputValues};
+use super::parts::{ModelCycleSpan, ModelGuess, ModelJoint, ModelOutput, SpatialModel};
 use super::placing::placed;
 use super::problem::SpatialModelError;
 use crate::mechanism::body::Body;
@@ -10,7 +11,7 @@ use crate::mechanism::drive::{Drive, DriveValue};
 use crate::mechanism::joint::Joint;
 use crate::mechanism::marker::Marker;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
-use crate::output::{PointOutput, RotationOutput, SpatialOutput};
+use crate::output::SpatialOutput;
 use loosepin_math::{Pose, Quaternion, Vec3};
 use loosepin_text::diagnostics::{Diagnostic, Place, Source};
 use loosepin_text::numbers::Values;
@@ -48,6 +49,23 @@ impl CycleInput {
     /// The input at a time.
     pub fn at(&self, time_s: f64) -> f64 {
         self.start + self.rate * time_s
+    }
+}
+
+/// An output with the values of its model.
+struct OfOutput<'a> {
+    model: &'a SpatialModel,
+    output: &'a ModelOutput,
+    values: &'a Values,
+}
+
+impl OutputValues<SpatialModelError> for OfOutput<'_> {
+    fn point_m(&self, point: PointId) -> Vec3 {
+        self.model.position(point, self.values)
+    }
+
+    fn unit(&self, direction: Direction, key: &'static str) -> Result<Vec3, SpatialModelError> {
+        unit(direction, self.values, || format!("output.{}.{key}", self.output.name))
     }
 }
 
@@ -137,21 +155,7 @@ impl SpatialModel {
     /// A direction of length zero.
     pub fn outputs_of(&self, number: usize, values: &Values) -> Result<Vec<SpatialOutput>, SpatialModelError> {
         let Some(output) = self.outputs.get(number) else { return Ok(Vec::new()) };
-        let unit =
-            |direction: Direction, key: &str| unit(direction, values, || format!("output.{}.{key}", output.name));
-        Ok(match output.kind {
-            ModelOutputKind::Position { point, along } => {
-                let (point_m, direction) = (self.position(point, values), unit(along, "along")?);
-                vec![PointOutput { body: point.body, point_m, direction }.into()]
-            }
-            ModelOutputKind::Path { point } => {
-                SpatialOutput::displacement(point.body, self.position(point, values)).to_vec()
-            }
-            ModelOutputKind::Turn { body, about } => {
-                vec![RotationOutput { body, axis: unit(about, "about")? }.into()]
-            }
-            ModelOutputKind::Orientation { body } => SpatialOutput::rotation(body).to_vec(),
-        })
+        output.kind.components(&OfOutput { model: self, output, values })
     }
 
     /// A point in the frame of its body, m.
@@ -163,6 +167,12 @@ impl SpatialModel {
     pub fn point_name(&self, point: PointId) -> String {
         let body = &self.bodies[point.body];
         format!("{}.{}", body.name, body.points[point.point].name)
+    }
+
+    /// The point that an output is read off, or its body, as the file names it.
+    pub fn name_of(&self, output: ModelOutputKind) -> String {
+        let of_body = || self.bodies[output.body()].name.clone();
+        output.point().map_or_else(of_body, |point| self.point_name(point))
     }
 
     /// The diagnostic of an error, at its place in the file.

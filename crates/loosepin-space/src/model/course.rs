@@ -180,21 +180,21 @@ fn conditioned(accuracy: &PoseAccuracy<'_>, gains: &Gains, first_order: &FirstOr
 
 /// Adds what an offset, a lean and the axial clearance of a joint do alone.
 fn add_effects(known: &mut JointContributor, joint: usize, gains: &Gains, by_play: &[f64]) {
-    let of = |part: PlayPart| {
-        let block = gains.blocks.iter().find(|block| block.joint == joint && block.part == part)?;
+    let of = |is_it: &dyn Fn(PlayPart) -> bool| {
+        let block = gains.blocks.iter().find(|block| block.joint == joint && is_it(block.part))?;
         Some((by_play.get(block.range())?, block.radius))
     };
-    let alone = |part: PlayPart| of(part).map(|(own, radius_m)| radius_m * length(own.iter().copied()));
+    let of_end = |plane: usize| of(&|part| part.end_plane() == Some(plane));
+    let alone = |is_it: fn(PlayPart) -> bool| of(&is_it).map(|(own, radius_m)| radius_m * length(own.iter().copied()));
     // u1 = u2 = c is an offset, u2 = -u1 a lean.
-    let of_ends = of(PlayPart::FirstEnd).zip(of(PlayPart::SecondEnd)).map(|((first, radius_m), (second, _))| {
+    let of_ends = of_end(0).zip(of_end(1)).map(|((first, radius_m), (second, _))| {
         let both = |sign: f64| radius_m * length(first.iter().zip(second).map(|(a, b)| a + sign * b));
         [both(1.0), both(-1.0)]
     });
-    let offset =
-        of_ends.map(|[offset, _]| offset).or_else(|| alone(PlayPart::Ball)).or_else(|| alone(PlayPart::Across));
+    let offset = of_ends.map(|[offset, _]| offset).or_else(|| alone(PlayPart::is_offset));
     known.offset_si.push(offset.unwrap_or_default());
-    known.lean_si.extend(of_ends.map(|[_, lean]| lean));
-    known.axial_si.extend(alone(PlayPart::Axial));
+    known.lean_si.extend(of_ends.map(|[_, lean]| lean).or_else(|| alone(PlayPart::is_lean)));
+    known.axial_si.extend(alone(PlayPart::is_axial));
 }
 
 fn length(components: impl Iterator<Item = f64>) -> f64 {

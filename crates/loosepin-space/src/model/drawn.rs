@@ -1,6 +1,6 @@
 //! The picture of a model.
 
-use super::parts::{ModelOutputKind, SpatialModel};
+use super::parts::SpatialModel;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::picture::{PictureSource, TracedPoint};
 use loosepin_math::{Pose, Vec3};
@@ -53,9 +53,7 @@ impl SpatialModel {
     /// The points of outputs; where there is none, the middles of joints between moving bodies.
     pub(super) fn traced_points(&self, mechanism: &SpatialMechanism, values: &Values) -> Vec<TracedPoint> {
         let of_outputs = self.outputs.iter().enumerate().filter_map(|(number, output)| {
-            let (ModelOutputKind::Position { point, .. } | ModelOutputKind::Path { point }) = output.kind else {
-                return None;
-            };
+            let point = output.kind.point()?;
             Some(TracedPoint {
                 name: self.point_name(point),
                 output: Some(number),

@@ -5,7 +5,7 @@
 //! |---|---|
 //! | the parts of a model; directions; where a joint is, and its errors of manufacture | `parts.rs`; `direction.rs`; `marker.rs` |
 //! | points, axes and names while a file is read | `reader.rs` |
-//! | tables | `read.rs` (the file), `body.rs`, `joint.rs`, `drive.rs` (with the cycle), `output.rs`, `assembly.rs` |
+//! | tables | `read.rs` (the file), `body.rs`, `joint.rs`, `drive.rs` (with the cycle), `output/`, `assembly.rs` |
 //! | from values to a mechanism; where its bodies start | `compile.rs`; `placing.rs` |
 //! | its motion over a turn, with worst cases; what play does to an output | `over_turn.rs`; `course.rs` |
 //! | what random dimensions do to it | `scatter.rs` |
@@ -46,10 +46,10 @@ pub use direction::Direction;
 pub use fit::ModelAssembly;
 pub use forgotten::refuse_without_geometry;
 pub use marker::{ModelMarker, ModelMisalignment, PointId};
+pub use output::ModelOutputKind;
 pub use over_turn::dead_centre_spans;
 pub use parts::{
-    ModelBody, ModelCycle, ModelCycleSpan, ModelDrive, ModelGuess, ModelJoint, ModelOutput, ModelOutputKind,
-    ModelPoint, SpatialModel,
+    ModelBody, ModelCycle, ModelCycleSpan, ModelDrive, ModelGuess, ModelJoint, ModelOutput, ModelPoint, SpatialModel,
 };
 pub use problem::{SpatialModelError, SpatialModelProblem, SpatialMotionProblem};
 pub use read::{is_spatial, spatial_model_schema};

@@ -3,7 +3,7 @@
 use super::compile::CycleInput;
 use super::course::{Course, has_play};
 use super::drawn::Trace;
-use super::parts::{ModelCycleSpan, ModelOutput, ModelOutputKind, SpatialModel};
+use super::parts::{ModelCycleSpan, ModelOutput, SpatialModel};
 use super::problem::SpatialMotionProblem;
 use super::round_off::drop_round_off;
 use crate::accuracy::{AccuracyError, PoseAccuracy};
@@ -283,11 +283,10 @@ impl SpatialModel {
 
     /// An output without numbers.
     fn output_motion(&self, output: &ModelOutput) -> OutputMotion {
-        let (words, unit) = self.words(output.kind);
         OutputMotion {
             name: output.name.clone(),
-            words,
-            unit,
+            words: format!("{} of {}", output.kind.word(), self.name_of(output.kind)),
+            unit: SiUnit::of_dimension(output.kind.dimension()),
             coordinate_of: None,
             path_error: None,
             value_si: Vec::new(),
@@ -301,9 +300,8 @@ impl SpatialModel {
 
     /// Steps in which a body turns so far that its turns cannot be counted are refused.
     fn refuse_coarse_turn(&self, output: &ModelOutput, value_si: &[f64]) -> Result<(), Diagnostics> {
-        let is_turn = matches!(output.kind, ModelOutputKind::Turn { .. });
         let is_coarse = |pair: &[f64]| matches!(pair, [before, after] if (after - before).abs() > FRAC_PI_2);
-        if is_turn && (value_si.len() <= MIN_STEPS_OF_TURN || value_si.windows(2).any(is_coarse)) {
+        if output.kind.counts_turns() && (value_si.len() <= MIN_STEPS_OF_TURN || value_si.windows(2).any(is_coarse)) {
             let problem = SpatialMotionProblem::CoarseTurn { output: output.name.clone() };
             return Err(Diagnostics::one(&problem, self.place(&format!("output.{}", output.name))));
         }
@@ -330,18 +328,7 @@ impl SpatialModel {
 
     /// Unit of an output.
     pub(super) fn unit_of(&self, output: usize) -> SiUnit {
-        self.words(self.outputs[output].kind).1
-    }
-
-    fn words(&self, kind: ModelOutputKind) -> (String, SiUnit) {
-        match kind {
-            ModelOutputKind::Position { point, .. } => {
-                (format!("position of {}", self.point_name(point)), SiUnit::LENGTH)
-            }
-            ModelOutputKind::Path { point } => (format!("displacement of {}", self.point_name(point)), SiUnit::LENGTH),
-            ModelOutputKind::Turn { body, .. } => (format!("turn of {}", self.bodies[body].name), SiUnit::ANGLE),
-            ModelOutputKind::Orientation { body } => (format!("rotation of {}", self.bodies[body].name), SiUnit::ANGLE),
-        }
+        SiUnit::of_dimension(self.outputs[output].kind.dimension())
     }
 }
 

@@ -1,7 +1,8 @@
 //! What a model of a mechanism in space is made of. Each number is a quantity.
 
 use super::direction::Direction;
-use super::marker::{ModelMarker, PointId};
+use super::marker::ModelMarker;
+use super::output::ModelOutputKind;
 use crate::kind::{SpatialKind, SpatialPlay};
 use crate::mechanism::drive::JointCoordinate;
 use loosepin_text::diagnostics::{Diagnostic, Source, Span};
@@ -130,48 +131,4 @@ pub struct ModelOutput {
     pub name: String,
     /// What is read off.
     pub kind: ModelOutputKind,
-}
-
-/// What an output reads off.
-#[derive(Debug, Clone, Copy)]
-pub enum ModelOutputKind {
-    /// The place of a point along a direction of the ground.
-    Position {
-        /// The point.
-        point: PointId,
-        /// The direction.
-        along: Direction,
-    },
-    /// The path of a point: how far it is displaced, in whatever direction.
-    Path {
-        /// The point.
-        point: PointId,
-    },
-    /// The turn of a body about an axis of it.
-    Turn {
-        /// The body.
-        body: usize,
-        /// The axis, in the frame of the body.
-        about: Direction,
-    },
-    /// The orientation of a body: how far it is rotated from the ideal one, about whatever axis.
-    Orientation {
-        /// The body.
-        body: usize,
-    },
-}
-
-impl ModelOutputKind {
-    /// The body that it is read off.
-    pub fn body(self) -> usize {
-        match self {
-            Self::Position { point, .. } | Self::Path { point } => point.body,
-            Self::Turn { body, .. } | Self::Orientation { body } => body,
-        }
-    }
-
-    /// Whether it is a displacement or a rotation with three components, and no number.
-    pub fn is_vector(self) -> bool {
-        matches!(self, Self::Path { .. } | Self::Orientation { .. })
-    }
 }

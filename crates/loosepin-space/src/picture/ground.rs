@@ -4,7 +4,6 @@ use super::joints::{bearing_length_m, travel_m};
 use super::shapes::{OfJoint, at, face};
 use super::sizes::Sizes;
 use super::source::PictureSource;
-use crate::kind::sign::JointSign;
 use loosepin_math::Vec3;
 use loosepin_result::spatial_picture::{PictureElement, PictureRole};
 
@@ -21,7 +20,7 @@ pub(super) fn elements(source: &PictureSource<'_>, number: usize, sizes: &Sizes)
         return Vec::new();
     };
     let (own, sign) = (OfJoint(joint), joint.kind.sign());
-    let is_rail = sign == JointSign::Guide && joint.bearing.body == 0;
+    let is_rail = sign.has_rails() && joint.bearing.body == 0;
     let tops = if is_rail {
         let [least_m, most_m] = travel_m(source, joint);
         let ends = [least_m - sizes.margin_m, most_m + sizes.margin_m];
@@ -30,10 +29,7 @@ pub(super) fn elements(source: &PictureSource<'_>, number: usize, sizes: &Sizes)
         vec![marker.point_m]
     };
     // An upright bearing reaches down itself.
-    let below_m = match sign {
-        JointSign::Pin | JointSign::Sleeve => 0.5 * bearing_length_m(joint, sizes) * marker.axes.z.z.abs(),
-        _ => 0.0,
-    };
+    let below_m = if sign.has_bearing() { 0.5 * bearing_length_m(joint, sizes) * marker.axes.z.z.abs() } else { 0.0 };
     tops.into_iter().flat_map(|top| foot(&own, top, below_m + HEIGHT * sizes.extent_m, sizes)).collect()
 }
 

@@ -2,7 +2,7 @@
 
 use crate::kind::frames::MarkerShift;
 use crate::kind::joint_reader::JointReader;
-use crate::play::block::{Block, PlayPart};
+use crate::play::block::Block;
 use crate::play::clearance::fits_in_radius;
 use loosepin_math::Vec3;
 use loosepin_text::document::{Table, quantity};
@@ -66,7 +66,7 @@ impl EndPlanes {
     }
 
     pub(crate) fn blocks(&self) -> Vec<Block> {
-        [PlayPart::FirstEnd, PlayPart::SecondEnd].map(|part| Block { part, radius: self.radial_clearance_m }).to_vec()
+        Block::end_planes(self.radial_clearance_m).to_vec()
     }
 
     /// The shift for u1, u2 and the axial displacement α: (e + α w, α), with the slope w.

@@ -24,7 +24,7 @@ mod journals;
 mod longest;
 mod nominal;
 mod one_sample;
-mod part;
+pub(crate) mod part;
 mod reach;
 mod reading;
 mod shortest;

@@ -11,7 +11,7 @@ use crate::closure::loops::Loops;
 use crate::closure::position::Position;
 use crate::mechanism::drive::DriveValue;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
-use crate::model::{ModelOutput, ModelOutputKind, SpatialModel};
+use crate::model::{ModelOutput, SpatialModel};
 use crate::motion::motion;
 use crate::output::SpatialOutput;
 use crate::output::kind_of_output::{KindOfOutput, OutputState};
@@ -174,10 +174,7 @@ pub(super) fn components_of(
     let Some(output) = model.outputs.get(part.output) else {
         return Err(SamplingError::NoOutput { output: part.output, outputs: model.outputs.len() });
     };
-    let is_path = matches!(output.kind, ModelOutputKind::Path { .. });
-    let fits =
-        if part.part.needs_path() { is_path } else { output.kind.is_vector() != (part.part == PartOfOutput::Number) };
-    if !fits {
+    if !output.kind.has_part(part.part) {
         return Err(SamplingError::PartDoesNotFit { output: output.name.clone(), part: part.part.word() });
     }
     Ok(model.outputs_of(part.output, values)?)

@@ -68,7 +68,7 @@ impl PartOfOutput {
     }
 
     /// Whether it is read off by the direction of the path.
-    pub(super) fn needs_path(self) -> bool {
+    pub(crate) fn needs_path(self) -> bool {
         matches!(self, Self::Along | Self::Across)
     }
 }

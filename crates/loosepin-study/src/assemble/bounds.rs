@@ -56,11 +56,9 @@ fn asked_bound(material: &Material<'_>, column: usize, in_curve: bool, statistic
         Some(rare) => rare.bounds.each_ref().map(|bound| material.end(bound)),
         None => material.ends_or_unknown(column, statistic),
     };
-    let guarantee = match material.pair(column, statistic).map_or(Guarantee::Inner, BoundPair::guarantee) {
-        _ if by_method.is_some_and(|rare| !rare.is_confirmed) => Guarantee::Inner,
-        Guarantee::Sampled { .. } => Guarantee::Sampled { confidence: material.confidence(column, statistic) },
-        other => other,
-    };
+    let of_pair = material.pair(column, statistic).filter(|_| by_method.is_none_or(|rare| rare.is_confirmed));
+    let guarantee = of_pair.map_or(Guarantee::unconfirmed(), BoundPair::guarantee);
+    let guarantee = guarantee.with_confidence(|| material.confidence(column, statistic));
     record(material, (column, in_curve), statistic, ends, guarantee)
 }
 
@@ -77,7 +75,7 @@ fn record(
         of: material.plan().columns[column].deviation,
         at: material.point_of(column, in_curve),
         statistic,
-        treatment: Treatment::Mixed,
+        treatment: Treatment::of_bounds(),
         reading: material.bounds.reading,
         unit: material.unit_of_statistic(column, statistic),
         lower,

@@ -40,7 +40,11 @@ fn curve(material: &Material<'_>, pictures: &Pictures, bands: &[CurveBand], ask:
     for &column in &ask.columns {
         curve.pose_rad.push(material.point_of(column, true).pose_rad().unwrap_or(f64::NAN));
         curve.ideal_si.push(material.response.nominal_at_pose()[column]);
-        curve.nominal_si.push(if ask.deviation.has_play() { pictures.nominal_row[column] } else { 0.0 });
+        curve.nominal_si.push(if ask.deviation.has_play() || ask.deviation.is_value() {
+            pictures.nominal_row[column]
+        } else {
+            0.0
+        });
         let random = BAND.map(|probability| material.central(column, Statistic::quantile_at(probability)));
         let [lower, upper] = random.map(|ends| ends.unwrap_or([f64::NAN; 2]));
         curve.random.lower_si.push(lower[0]);

@@ -3,7 +3,7 @@
 use crate::file::Study;
 use crate::written::simulate_command::witness_command;
 use loosepin_result::repeat::InputRole;
-use loosepin_result::study::{ResponsePoint, StudyResult, Treatment, Witness, WitnessCommand};
+use loosepin_result::study::{ResponsePoint, StudyResult, Witness, WitnessCommand};
 
 /// Witnesses that are listed at most.
 const MAX_WITNESSES: usize = 6;
@@ -21,7 +21,7 @@ pub fn witness_commands(study: &Study, result: &StudyResult) -> Vec<WitnessComma
 fn witnesses(result: &StudyResult) -> Vec<&Witness> {
     let of_requirements = result.requirements.iter().map(|requirement| &requirement.witness);
     let is_shown = |at: ResponsePoint| !matches!(at, ResponsePoint::Curve { .. });
-    let bounds = result.bounds.iter().filter(|bound| bound.treatment == Treatment::Mixed && is_shown(bound.at));
+    let bounds = result.bounds.iter().filter(|bound| bound.treatment.is_mixed() && is_shown(bound.at));
     let of_bounds = bounds.flat_map(|bound| [&bound.upper.witness, &bound.lower.witness]);
     let mut found: Vec<&Witness> = Vec::new();
     for witness in of_requirements.chain(of_bounds) {

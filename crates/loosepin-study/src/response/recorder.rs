@@ -110,7 +110,7 @@ impl Shared {
                         |pose| ColumnSource::Instant { reading, instant: instant(pose.turns) },
                         |reduction| follow_deviation(&mut follow.deviations, (reading, of), reduction),
                     )),
-                    (None, Some(reduction)) if of.is_value() && is_integrated && reading.is_on_lanes() => {
+                    (None, Some(reduction)) if of.is_value_of_run() && is_integrated && reading.is_on_lanes() => {
                         Some(follow_inside(&mut follow.inside, reading, reduction))
                     }
                     (None, _) => None,

@@ -238,7 +238,7 @@ impl SpatialResponse {
     fn ends_at(&self, sample: &TurnSample, part: usize, place: usize, of: Deviation) -> Ends {
         let own = part * self.turns.len() + place;
         if !of.has_play() {
-            return Ends::of(sample.from_nominal_si[own]);
+            return Ends::of(if of.is_value() { sample.ideal_si[own] } else { sample.from_nominal_si[own] });
         }
         match of.reference() {
             Reference::Zero => Ends {

@@ -2,6 +2,8 @@
 //! list below. Nobody outside of this folder asks which statistic it is: they ask what it is like.
 
 mod cdf;
+#[cfg(test)]
+mod claims;
 mod event;
 mod json;
 mod kind;

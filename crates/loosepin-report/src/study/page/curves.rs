@@ -16,7 +16,7 @@ use crate::words::limits::requirement_words;
 use crate::words::wording::{capitalised, deviation_words, output_words, path_part, place_words};
 use loosepin_result::study::{
     BoundRecord, CurveRange, Deviation, DeviationCurve, Event, InputKind, ProbabilityBox, RequirementOutcome,
-    ResponsePoint, SimultaneousCurve, StudyResult, Treatment, ValueBand, Witness,
+    ResponsePoint, SimultaneousCurve, StudyResult, ValueBand, Witness,
 };
 use loosepin_text::units::SiUnit;
 
@@ -361,7 +361,7 @@ fn limit_sentence(result: &StudyResult, pbox: &ProbabilityBox, limit_si: f64, wr
 /// Least and largest share below the limit, where a probability of the same was asked for.
 fn bounded_share(result: &StudyResult, pbox: &ProbabilityBox, limit_si: f64) -> Option<[f64; 2]> {
     let is_own = |bound: &&BoundRecord| {
-        bound.treatment == Treatment::Mixed && (&bound.output, bound.of, bound.at) == (&pbox.output, pbox.of, pbox.at)
+        bound.treatment.is_mixed() && (&bound.output, bound.of, bound.at) == (&pbox.output, pbox.of, pbox.at)
     };
     result.bounds.iter().filter(is_own).find_map(|bound| {
         let ends = [bound.lower.widened_si, bound.upper.widened_si];

@@ -10,9 +10,7 @@ use crate::study::answer::turns;
 use crate::study::sections::double_loop_words;
 use crate::words::glossary::glossary;
 use crate::words::wording::{count, guarantee_words, is_by_surrogate, listed, reading_words};
-use loosepin_result::study::{
-    CorrelationDescription, EnergyResiduals, Guarantee, InputKind, Purpose, StudyResult, Treatment,
-};
+use loosepin_result::study::{CorrelationDescription, EnergyResiduals, Guarantee, InputKind, Purpose, StudyResult};
 use loosepin_text::article::{Cell, Column, Content, Fact, Section, Table, Text};
 use loosepin_text::units::SiUnit;
 
@@ -105,7 +103,7 @@ fn kind_words(kind: &InputKind) -> &'static str {
 }
 
 fn run_facts(result: &StudyResult, writer: &NumberWriter) -> Vec<Fact> {
-    let mixed = || result.bounds.iter().filter(|bound| bound.treatment == Treatment::Mixed);
+    let mixed = || result.bounds.iter().filter(|bound| bound.treatment.is_mixed());
     let guarantees = guarantees_words(mixed().map(|bound| bound.guarantee), writer);
     let mut readings: Vec<&'static str> = mixed().map(|bound| reading_words(bound.reading)).collect();
     readings.sort_unstable();
@@ -141,7 +139,7 @@ fn guarantees_words(all: impl Iterator<Item = Guarantee>, writer: &NumberWriter)
     let mut others: Vec<String> = Vec::new();
     let mut confidences: Option<[f64; 2]> = None;
     for guarantee in all {
-        if let Guarantee::Sampled { confidence } = guarantee {
+        if let Some(confidence) = guarantee.confidence() {
             let [least, most] = confidences.unwrap_or([confidence; 2]);
             confidences = Some([least.min(confidence), most.max(confidence)]);
         } else {

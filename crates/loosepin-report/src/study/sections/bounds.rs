@@ -10,7 +10,7 @@ use crate::words::wording::{
     MASSES_ADD, UNKNOWN_INPUTS, count, further, guarantee_words, has_parts, has_unknown, only_curves, output_unit,
     reading_beside, response_words, statistic_words,
 };
-use loosepin_result::study::{BoundEnd, BoundRecord, ResponsePoint, StudyResult, Treatment};
+use loosepin_result::study::{BoundEnd, BoundRecord, ResponsePoint, StudyResult};
 use loosepin_text::article::{Cell, Column, Content, Group, Medium, Section, Table, Text};
 
 /// More rows are left to `bounds.csv`.
@@ -112,7 +112,7 @@ pub(crate) fn places_section(result: &StudyResult, writer: &NumberWriter) -> Opt
 /// The bounds of the mixed treatment that are not points of curves.
 fn single_bounds(result: &StudyResult) -> Vec<&BoundRecord> {
     let is_single =
-        |bound: &&BoundRecord| bound.treatment == Treatment::Mixed && !matches!(bound.at, ResponsePoint::Curve { .. });
+        |bound: &&BoundRecord| bound.treatment.is_mixed() && !matches!(bound.at, ResponsePoint::Curve { .. });
     result.bounds.iter().filter(is_single).collect()
 }
 

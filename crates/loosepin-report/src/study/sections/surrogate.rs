@@ -12,7 +12,6 @@ use crate::numbers::tag::Tag;
 use crate::words::bound::bound_value;
 use crate::words::wording::{
     band_digits, deviation_words, head, output_unit, output_words, response_words, share_words, statistic_words,
-    treatment_words,
 };
 use loosepin_result::study::{
     BoundRecord, ResponsePoint, StudyResult, SurrogateAlong, SurrogateOutput, SurrogateRecord, TreatmentBand,
@@ -86,7 +85,7 @@ fn treatments_table(result: &StudyResult, comparison: &TreatmentComparison, writ
     let row = |band: &TreatmentBand| -> Vec<Cell> {
         let of_direct = direct.and_then(|of| Some((of.bands.iter().find(|own| own.treatment == band.treatment)?, of)));
         vec![
-            treatment_words(band.treatment).into(),
+            band.treatment.name().into(),
             of_direct.map(|(band, of)| band_words(band, of, writer)).into(),
             band_words(band, comparison, writer).into(),
             band.surrogate_error_si().map_or(String::new(), |error| writer.error(error, &comparison.unit)).into(),

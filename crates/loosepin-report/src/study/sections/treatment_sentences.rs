@@ -3,7 +3,7 @@
 use crate::numbers::number::{NumberWriter, Rounding};
 use crate::numbers::tag::{Tag, same_wording};
 use crate::words::wording::{band_error, is_error_beyond_band};
-use loosepin_result::study::{JointImpacts, StudyResult, Treatment, TreatmentBand, TreatmentComparison};
+use loosepin_result::study::{JointImpacts, StudyResult, TreatmentBand, TreatmentComparison};
 
 /// Digits of proven ends, as `motion` has them.
 const PROVEN_DIGITS: usize = 4;
@@ -17,24 +17,18 @@ pub(super) fn treatment_sentences(
     let sentence = |band: &TreatmentBand| {
         let share = share_sentence(band, comparison, writer);
         let width = width_sentence(band, comparison, writer);
-        match band.treatment {
-            Treatment::ProbabilityOnly => {
-                format!("Probability only takes every unknown value as random. {share}{width}")
-            }
-            Treatment::IntervalOnly => format!(
-                "Interval only takes the worst case of all inputs, random ones included. {share}{width}{}",
-                proven_sentence(result, comparison, writer)
-            ),
-            Treatment::Mixed => {
-                let tail = 0.5 * (1.0 - comparison.promised_coverage);
-                let given = Tag::Given("probability");
-                let [low, high] = [tail, 1.0 - tail].map(|p| writer.with_tag(&given).percent(p, Rounding::Nearest));
-                format!(
-                    "Mixed keeps random inputs random and unknown values unknown: from the least {low} to the largest {high} quantile.{} {share}{width}",
-                    bridge(result, comparison, band, writer)
-                )
-            }
-        }
+        let ends = if band.treatment.is_mixed() {
+            let tail = 0.5 * (1.0 - comparison.promised_coverage);
+            let given = Tag::Given("probability");
+            let [low, high] = [tail, 1.0 - tail].map(|p| writer.with_tag(&given).percent(p, Rounding::Nearest));
+            let bridge = bridge(result, comparison, band, writer);
+            format!(": from the least {low} to the largest {high} quantile.{bridge}")
+        } else {
+            ".".to_owned()
+        };
+        let is_worst_case = band.treatment.is_worst_case();
+        let proven = if is_worst_case { proven_sentence(result, comparison, writer) } else { String::new() };
+        format!("{}{ends} {share}{width}{proven}", band.treatment.assumption())
     };
     comparison.bands.iter().map(sentence).collect()
 }
@@ -48,8 +42,8 @@ fn bridge(
 ) -> String {
     let of_band = 0.5 + 0.5 * comparison.promised_coverage;
     let bound = result.bounds.iter().find(|bound| {
-        let is_of_same = (&bound.output, bound.of, bound.at, bound.treatment)
-            == (&comparison.output, comparison.of, comparison.at, Treatment::Mixed);
+        let is_of_same = (&bound.output, bound.of, bound.at) == (&comparison.output, comparison.of, comparison.at)
+            && bound.treatment.is_mixed();
         let probability = bound.statistic.probability_of_quantile();
         let is_end = probability.is_some_and(|p| (p - of_band).abs() < 1e-9);
         is_of_same && is_end && bound.upper.value_si == band.upper_si && bound.upper.widened_si.is_finite()
@@ -98,9 +92,9 @@ fn share_sentence(band: &TreatmentBand, comparison: &TreatmentComparison, writer
 
 /// Difference in width from the mixed band, as far as its error resolves it; empty if both hardly differ.
 fn width_sentence(band: &TreatmentBand, comparison: &TreatmentComparison, writer: &NumberWriter) -> String {
-    let mixed = comparison.bands.iter().find(|band| band.treatment == Treatment::Mixed).map(TreatmentBand::width_si);
+    let mixed = comparison.bands.iter().find(|band| band.treatment.is_mixed()).map(TreatmentBand::width_si);
     let is_known = |width: f64| width > 0.0 && width.is_finite();
-    let Some(mixed) = mixed.filter(|mixed| band.treatment != Treatment::Mixed && is_known(*mixed)) else {
+    let Some(mixed) = mixed.filter(|mixed| !band.treatment.is_mixed() && is_known(*mixed)) else {
         return String::new();
     };
     // Beside a band without an end no width compares.

@@ -8,9 +8,9 @@ use crate::numbers::tag::Tag;
 use crate::study::sections::treatment_sentences::treatment_sentences;
 use crate::words::wording::{
     EQUALLY_PROBABLE, UNKNOWN_INPUTS, band_digits, band_error, deviation_words, has_errors, has_lists, head,
-    holds_words, place_words, response_words, share_words, treatment_words,
+    holds_words, place_words, response_words, share_words,
 };
-use loosepin_result::study::{StudyResult, Treatment, TreatmentBand, TreatmentComparison};
+use loosepin_result::study::{StudyResult, TreatmentBand, TreatmentComparison};
 use loosepin_text::article::{Cell, Column, Content, Medium, Section, Table, Text};
 
 /// `None` if treatments were not compared.
@@ -39,7 +39,7 @@ pub(crate) fn treatments_section(result: &StudyResult, writer: &NumberWriter) ->
         section.push(Content::Table(table(result, comparison, writer)));
         let bands = comparison.bands.iter().zip(treatment_sentences(result, comparison, writer));
         let words = bands.map(|(band, sentence)| {
-            let name = Text::default().strong(format!("{}. ", treatment_words(band.treatment)));
+            let name = Text::default().strong(format!("{}. ", band.treatment.name()));
             Text::default().on(Medium::Page, name).plain(sentence)
         });
         let of_lists = of_lists.map(|words| Text::by_medium("", words));
@@ -76,7 +76,7 @@ fn table(result: &StudyResult, comparison: &TreatmentComparison, writer: &Number
     let further = [Column::words(head("share inside")), Column::words(head(&format!("holds {promise}?")))];
     let row = |band: &TreatmentBand| {
         let error: Option<Cell> = has_errors.then(|| band_error(band, comparison, writer).into());
-        let cells = [treatment_words(band.treatment).into(), band_bar(band, comparison, from, to, writer)];
+        let cells = [band.treatment.name().into(), band_bar(band, comparison, from, to, writer)];
         let further = [coverage_strip(band, comparison, share_from, writer), holds_cell(band, comparison, writer)];
         cells.into_iter().chain(error).chain(further).collect()
     };
@@ -115,14 +115,6 @@ fn padded(from: f64, to: f64) -> (f64, f64) {
     (from - margin, to + margin)
 }
 
-fn colour(treatment: Treatment) -> &'static str {
-    match treatment {
-        Treatment::ProbabilityOnly => "probability",
-        Treatment::IntervalOnly => "worst",
-        Treatment::Mixed => "mixed",
-    }
-}
-
 fn band_bar(band: &TreatmentBand, comparison: &TreatmentComparison, from: f64, to: f64, writer: &NumberWriter) -> Cell {
     let rounded = |part: &str, value_si: f64, rounding| {
         let digits = band_digits(comparison);
@@ -141,7 +133,7 @@ fn band_bar(band: &TreatmentBand, comparison: &TreatmentComparison, from: f64, t
                 @let zero = percent_of(0.0, from, to);
                 line.zero x1=(zero) x2=(zero) y1="0" y2="20" {}
             }
-            rect class=(colour(band.treatment)) x=(percent_of(drawn[0], from, to)) y="4" width=(width) height="12"
+            rect class=(band.treatment.colour()) x=(percent_of(drawn[0], from, to)) y="4" width=(width) height="12"
                 rx="2" {}
         }
         span.range { (text) }

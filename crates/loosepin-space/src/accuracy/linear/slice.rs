@@ -251,14 +251,14 @@ mod tests {
     use super::{Near, dot, inner_point, largest, on_plane};
     use crate::accuracy::linear::planes::Planes;
     use crate::accuracy::play_set::PlaySet;
-    use crate::play::block::PlayPart;
+    use crate::play::block::{Block, PlayPart};
     use crate::random::random;
 
     /// What an interior point method leaves.
     const TOLERANCE: f64 = 1e-10;
 
     fn set(parts: &[PlayPart]) -> PlaySet {
-        parts.iter().fold(PlaySet::empty(), |set, part| set.with_block(*part, 1.0))
+        parts.iter().fold(PlaySet::empty(), |set, part| set.with_block(Block { part: *part, radius: 1.0 }))
     }
 
     #[test]

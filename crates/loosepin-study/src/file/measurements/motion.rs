@@ -249,7 +249,7 @@ impl StudyReader {
         if let (FeatureWord::Reduced(reduction), false) = (feature, needs || written == Some(true)) {
             return Some(MotionSubject::Located { output, deviation, reduction });
         }
-        let problem = match (deviation.is_value(), self.outputs[output].seen) {
+        let problem = match (deviation.is_value_of_run(), self.outputs[output].seen) {
             _ if written == Some(false) => Some(MotionProblem::Between { entry: words.clone() }),
             (true, OutputSource::Reading(_)) => None,
             (true, _) => Some(MotionProblem::OutputNotSampled { entry: words.clone() }),

@@ -81,7 +81,7 @@ impl StudyReader {
             let problem = StudyProblem::ValueOfPathError { entry: entry.path.describe(), component, of };
             return self.refused(&problem, entry.span);
         }
-        if !deviation.is_value() && self.is_wear(output) {
+        if !deviation.is_value_of_run() && self.is_wear(output) {
             let problem = StudyProblem::WearOfDeviation { entry: entry.path.describe() };
             return self.refused(&problem, entry.span);
         }

@@ -379,7 +379,7 @@ impl End {
                 random: Vec::new(),
             }),
             error: BoundError { sampling, optimisation: (further - widened).abs(), surrogate: 0.0 },
-            guarantee: Guarantee::Sampled { confidence: RARE_CONFIDENCE },
+            guarantee: Guarantee::of_sample(RARE_CONFIDENCE),
         }
     }
 }

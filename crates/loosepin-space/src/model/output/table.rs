@@ -1,15 +1,16 @@
-//! Outputs: what is read off a position.
+//! Outputs in files.
 
-use super::direction::DIRECTION;
-use super::parts::{ModelOutput, ModelOutputKind};
-use super::reader::SpaceReader;
+use super::kind::ModelOutputKind;
+use crate::model::direction::DIRECTION;
+use crate::model::parts::ModelOutput;
+use crate::model::reader::SpaceReader;
 use loosepin_text::document::{Entry, Kind};
 use loosepin_text::numbers::ReadsNumbers;
 use loosepin_text::record;
 
 record! {
     /// what is read off a position
-    pub(super) struct SpatialOutputTable for ReadsNumbers, exactly one of [position_of, path_of, turn_of, orientation_of],
+    pub(in crate::model) struct SpatialOutputTable for ReadsNumbers, exactly one of [position_of, path_of, turn_of, orientation_of],
         planned &[
             ("velocity_of", "outputs in space are positions and turns"),
             ("acceleration_of", "outputs in space are positions and turns"),
