@@ -37,7 +37,8 @@ pub use file::{
     study_schema, takes_mean_of_model,
 };
 pub use loosepin_text::tolerance::{FitError, number_and_unit, signed_parts, states_nominal};
-pub use model::{Clearance, StudyModel};
+pub use model::outputs::OutputSource;
+pub use model::{Clearance, DeviationProofs, KindOfModel, MotionRequest, ProvenDeviations, StudyModel};
 pub use places::Where;
 pub use planning::cost_estimate::{CostEstimate, PromiseCost};
 pub use planning::estimate_cost::estimate_cost;
@@ -45,7 +46,6 @@ pub use planning::plans::{default_threads, plan_runs, plan_runs_on, plan_shards}
 pub use question::{SavedInput, SavedOutput, SavedSurrogateError, SavedSurrogates, StudyRun};
 pub use response::further_outputs::FurtherOutputs;
 pub use response::limits::MAX_COLUMNS;
-pub use response::outputs::OutputSource;
 pub use response::recorded_output::RecordedOutput;
 pub use response::sampled_feature::sampled_feature;
 pub use run_options::RunOptions;
