@@ -2,7 +2,8 @@
 
 use super::material::Material;
 use crate::distribution_words::distribution_words;
-use crate::file::{CorrelationMeasure, EpistemicSubject, PLAY, RandomInput, Study, UncertainParameter, journal_words};
+use crate::file::{CorrelationMeasure, EpistemicSubject, RandomInput, Study, UncertainParameter, journal_words};
+use crate::model::PLAY;
 use crate::model::outputs::OutputSource;
 use loosepin_result::study::{
     CorrelationDescription, CutDescription, CycleDescription, ElementDescription, InputDescription, InputKind,

@@ -5,13 +5,11 @@ use super::problem::StudyProblem;
 use super::questions::ask::Asked;
 use super::reader::StudyReader;
 use crate::file::measurements::specimen_problem::SpecimenProblem;
+use crate::model::PLAY;
 use crate::places::Where;
 use loosepin_space::PlayDistribution;
 use loosepin_text::document::Entry;
 use loosepin_uncertainty::{Distribution, Members, RandomVariable};
-
-/// Path of the input that stands for the places of all journals.
-pub const PLAY: &str = "play";
 
 /// Where the journals are, as a file says it; `None` where it is not known.
 pub(super) const JOURNALS: [(&str, Option<PlayDistribution>); 3] = [

@@ -18,6 +18,9 @@ use std::fmt::Debug;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
+/// Path of the input that a study adds for the places of all journals, where nothing decides them.
+pub const PLAY: &str = "play";
+
 /// A clearance of something that has play.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Clearance {
