@@ -93,11 +93,13 @@ fn plan(study: &Study, tried: &TrialResult) -> Result<Section, Diagnostics> {
 
 /// `run` in words, what is promised, and how long all runs take.
 fn planned(study: &Study, run: String) -> Result<Section, Diagnostics> {
-    let CostEstimate { most_runs, search_runs, run_s, promise } =
-        estimate_cost(study).map_err(|error| match error {
-            StudyError::AllFailed { reason, .. } if let Some(model) = study.model.planar() => reason.diagnostic(model),
-            error => error.diagnostic(study),
-        })?;
+    let CostEstimate { most_runs, search_runs, run_s, promise } = estimate_cost(study).map_err(|error| {
+        let of_model = match &error {
+            StudyError::AllFailed { reason, .. } => study.model.diagnostic_of_run(reason),
+            _ => None,
+        };
+        of_model.unwrap_or_else(|| error.diagnostic(study))
+    })?;
     let time = time_words(study, most_runs, run_s);
     let search = (search_runs > 0).then(|| search_words(study, (most_runs, search_runs), run_s));
     let costs = [Some(time), search].into_iter().flatten();
@@ -139,8 +141,8 @@ fn search_words(study: &Study, (most_runs, search_runs): (usize, usize), run_s: 
     let bounds = most_runs.saturating_sub(search_runs);
     let time = run_s.map_or(String::new(), |run_s| format!(", {}", about_words(run_s, bounds)));
     let bounds = format!("The bounds come first, at most {}{time}", counted_or_no(bounds, "run", "runs"));
-    let motion =
-        if study.model.planar().is_some() { "; loosepin motion gives values without dynamics at once" } else { "" };
+    let has_proofs = study.model.deviation_proofs().is_some();
+    let motion = if has_proofs { "; loosepin motion gives values without dynamics at once" } else { "" };
     format!("{bounds}; the others seek the loosest values of [allow]{motion}")
 }
 

@@ -83,11 +83,11 @@ impl StudyError {
     pub fn diagnostic(&self, study: &Study) -> Diagnostic {
         match self {
             Self::Prepare(PrepareError::Mechanism(error)) => {
-                study.model.planar().map_or_else(|| Diagnostic::error(self, None), |model| error.diagnostic(model))
+                study.model.diagnostic_of_mechanism(error).unwrap_or_else(|| Diagnostic::error(self, None))
             }
             Self::Prepare(PrepareError::InSpace { found }) => (**found).clone(),
             Self::Prepare(PrepareError::OfModel { failure }) => {
-                study.model.planar().map_or_else(|| Diagnostic::error(self, None), |model| failure.diagnostic(model))
+                study.model.diagnostic_of_run(failure).unwrap_or_else(|| Diagnostic::error(self, None))
             }
             Self::Prepare(PrepareError::Nominal { .. }) if let Some((place, words)) = middle_of(study) => {
                 let hint = Some(format!("that is {words}, which the study says and not the model"));
@@ -95,7 +95,7 @@ impl StudyError {
             }
             Self::Prepare(PrepareError::Nominal { failure }) | Self::AllFailed { reason: failure, .. } => {
                 // The words are those of the study, the place is that of the model.
-                let place = study.model.planar().and_then(|model| failure.diagnostic(model).place);
+                let place = study.model.diagnostic_of_run(failure).and_then(|found| found.place);
                 Diagnostic { place, ..Diagnostic::error(self, None) }
             }
             Self::Plan(_)

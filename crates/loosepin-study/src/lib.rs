@@ -31,13 +31,14 @@ pub use file::{
     AccuracyProblem, AccuracyTarget, Allowance, AllowedInput, Ask, Asked, Budget, Correlation, CorrelationMeasure,
     Deviation, EpistemicInput, EpistemicSubject, EvaluatedModel, EvaluationProblem, Limit, MAX_POSES, MAX_RUNS,
     MIN_SPECIMEN_ROWS, MeantLimit, Measured, MeasuredMotion, MeasuredProblem, MotionError, MotionProblem,
-    MotionSubject, NameProblem, NamedPlace, NamedQuestion, PLAY, Push, RandomInput, RandomProblem, RandomSubject,
-    RareMethod, ReadingScatter, Reduction, Requirement, SampledFeature, Sampling, SpecimenProblem, SpecimenRows,
-    StatedCorrelation, Study, StudyProblem, StudySurrogate, UncertainParameter, journal_words, named_model, says_study,
-    study_schema, takes_mean_of_model,
+    MotionSubject, NameProblem, NamedPlace, NamedQuestion, Push, RandomInput, RandomProblem, RandomSubject, RareMethod,
+    ReadingScatter, Reduction, Requirement, SampledFeature, Sampling, SpecimenProblem, SpecimenRows, StatedCorrelation,
+    Study, StudyProblem, StudySurrogate, UncertainParameter, journal_words, named_model, says_study, study_schema,
+    takes_mean_of_model,
 };
 pub use loosepin_text::tolerance::{FitError, number_and_unit, signed_parts, states_nominal};
-pub use model::{Clearance, StudyModel};
+pub use model::outputs::OutputSource;
+pub use model::{Clearance, DeviationProofs, KindOfModel, MotionRequest, PLAY, ProvenDeviations, StudyModel};
 pub use places::Where;
 pub use planning::cost_estimate::{CostEstimate, PromiseCost};
 pub use planning::estimate_cost::estimate_cost;
@@ -45,7 +46,6 @@ pub use planning::plans::{default_threads, plan_runs, plan_runs_on, plan_shards}
 pub use question::{SavedInput, SavedOutput, SavedSurrogateError, SavedSurrogates, StudyRun};
 pub use response::further_outputs::FurtherOutputs;
 pub use response::limits::MAX_COLUMNS;
-pub use response::outputs::OutputSource;
 pub use response::recorded_output::RecordedOutput;
 pub use response::sampled_feature::sampled_feature;
 pub use run_options::RunOptions;

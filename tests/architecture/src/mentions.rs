@@ -1,4 +1,5 @@
-//! Where variants of an enum are named, read from the tokens of the sources: in `match`, `if let`, `matches!`, a comparison or a value alike.
+//! Where variants of an enum are named, read from the tokens of the sources: in `match`, `if let`, `matches!`, a comparison or a value alike;
+//! and where a method without arguments is called.
 //!
 //! Code that stands behind `#[cfg(test)]` does not count, nor do the files of modules that are declared there. An alias of the enum and a
 //! glob import count as a mention each, since what follows them cannot be told.
@@ -9,19 +10,41 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// The number of mentions of variants of `name` in each of the files of a crate that have some.
 pub fn mentions(sources: &[Source], name: &str) -> Result<BTreeMap<String, usize>, String> {
+    counted(sources, &|tokens| match tokens {
+        [TokenTree::Ident(word), behind @ ..] if word == name => mentioned(behind),
+        _ => 0,
+    })
+}
+
+/// The number of calls `.name()` in each of the files of a crate that have some.
+pub fn calls(sources: &[Source], name: &str) -> Result<BTreeMap<String, usize>, String> {
+    counted(sources, &|tokens| match tokens {
+        [TokenTree::Punct(mark), TokenTree::Ident(word), TokenTree::Group(arguments), ..] => {
+            let is_call = mark.as_char() == '.' && word == name && arguments.delimiter() == Delimiter::Parenthesis;
+            usize::from(is_call && arguments.stream().is_empty())
+        }
+        _ => 0,
+    })
+}
+
+/// How many finds begin with the first of some tokens.
+type Count<'a> = &'a dyn Fn(&[TokenTree]) -> usize;
+
+/// The number of finds in each of the files of a crate that have some.
+fn counted(sources: &[Source], count: Count<'_>) -> Result<BTreeMap<String, usize>, String> {
     let mut found = BTreeMap::new();
     let mut test_modules: BTreeSet<Vec<String>> = BTreeSet::new();
     for source in sources {
         let tokens: TokenStream = source.text.parse().map_err(|error| format!("{}: {error}", source.path))?;
-        let mut file = File { name, count: 0, test_modules: Vec::new() };
+        let mut file = File { count, found: 0, test_modules: Vec::new() };
         file.read(tokens);
         test_modules.extend(file.test_modules.iter().map(|module| {
             let mut path = source.module_path();
             path.push(module.clone());
             path
         }));
-        if file.count > 0 {
-            found.insert(source.path.clone(), (source.module_path(), file.count));
+        if file.found > 0 {
+            found.insert(source.path.clone(), (source.module_path(), file.found));
         }
     }
     let is_test = |path: &[String]| (1..=path.len()).any(|length| test_modules.contains(&path[..length]));
@@ -31,8 +54,8 @@ pub fn mentions(sources: &[Source], name: &str) -> Result<BTreeMap<String, usize
 
 /// What is found in one file.
 struct File<'a> {
-    name: &'a str,
-    count: usize,
+    count: Count<'a>,
+    found: usize,
     /// Modules declared here that are for tests alone.
     test_modules: Vec<String>,
 }
@@ -46,11 +69,10 @@ impl File<'_> {
                 k = self.skip_item(&tokens, k + 2);
                 continue;
             }
-            match &tokens[k] {
-                TokenTree::Group(group) => self.read(group.stream()),
-                TokenTree::Ident(word) if word == self.name => self.count += mentioned(&tokens[k + 1..]),
-                _ => {}
+            if let TokenTree::Group(group) = &tokens[k] {
+                self.read(group.stream());
             }
+            self.found += (self.count)(&tokens[k..]);
             k += 1;
         }
     }

@@ -1,11 +1,12 @@
 //! The rules of `docs/architecture.md`, held against the tree: which crate stands on which, that no files of a crate import
-//! each other in a circle, who may name the variants of an enum that is one place, how long a file may be, which names say nothing, and that every dependency says what it is for.
+//! each other in a circle, who may name the variants of an enum that is one place, who may ask
+//! whether a model is of the plane or of space, how long a file may be, which names say nothing, and that every dependency says what it is for.
 //! What one crate may name of another is what its manifest says, and the compiler holds it.
 
 #![allow(clippy::disallowed_methods, reason = "tests make files of their own")]
 
 use architecture::imports;
-use architecture::mentions::mentions;
+use architecture::mentions::{calls, mentions};
 use architecture::scripts;
 use architecture::sources::{Source, files_below, read, sources_below};
 use std::collections::{BTreeMap, BTreeSet};
@@ -192,6 +193,36 @@ fn variants_of_what_is_one_place_are_named_there_alone() {
         found, listed,
         "mentions of variants outside their folder are not those of the block ```mentions of docs/architecture.md; \
          ask for a property or a method instead, or state the reason there"
+    );
+}
+
+/// Files of a crate that ask whether a model is of the plane or of space.
+fn asking(sources: &[Source]) -> BTreeSet<String> {
+    let all = [mentions(sources, "StudyModel"), calls(sources, "planar"), calls(sources, "spatial")];
+    all.into_iter().flat_map(|found| found.expect("Rust can read its sources").into_keys()).collect()
+}
+
+#[test]
+fn few_files_ask_whether_a_model_is_of_the_plane_or_of_space() {
+    let page = read(&repository().join("docs/architecture.md"));
+    let mut listed = BTreeSet::new();
+    for row in fenced_block(&page, "asks").lines().skip(1).filter(|row| !row.is_empty()) {
+        let Some((file, reason)) = row.split_once(" : ") else {
+            panic!("a row of the block ```asks is 'file : reason', not '{row}'");
+        };
+        assert!(!reason.trim().is_empty(), "{row}");
+        listed.insert(file.trim().to_owned());
+    }
+    let mut found = BTreeSet::new();
+    for package in packages() {
+        let crate_name = package.file_name().expect("a name").to_string_lossy().into_owned();
+        let files = asking(&sources_below(&package.join("src"))).into_iter();
+        found.extend(files.map(|file| format!("{crate_name}/src/{file}")));
+    }
+    assert_eq!(
+        found, listed,
+        "files that ask whether a model is of the plane or of space are not those of the block ```asks of \
+         docs/architecture.md; ask what it can do instead (`KindOfModel`, `KindOfResponse`), or state the reason there"
     );
 }
 
@@ -420,6 +451,27 @@ fn every_way_to_name_a_variant_is_a_mention() {
         ("#[cfg(test)]\nuse crate::Kind::Mean;\nfn f() { Kind::Mean }", 1),
     ] {
         assert_eq!(count(text), expected, "in: {text}");
+    }
+}
+
+#[test]
+fn every_way_to_ask_for_the_kind_of_a_model_is_found() {
+    let asks = |text: &str| {
+        let source = Source { path: "check.rs".to_owned(), text: text.to_owned() };
+        !asking(&[source]).is_empty()
+    };
+    for (text, expected) in [
+        ("fn f(m: &StudyModel) -> bool { m.spatial().is_some() }", true),
+        ("fn f(s: &Study) { let Some(model) = s.model.planar() else { return }; }", true),
+        ("fn f(m: &StudyModel) -> bool { matches!(m, StudyModel::Planar(_)) }", true),
+        ("fn f(m: &StudyModel) { match m { crate::StudyModel::Spatial(m) => g(m), _ => {} } }", true),
+        ("use crate::model::StudyModel::{Planar, Spatial};", true),
+        ("use crate::model::StudyModel as Kind;", true),
+        ("fn f(m: &StudyModel) -> bool { m.has_dynamics() && spatial() && m.planar(1) }", false),
+        ("fn f() -> StudyModel { StudyModel::from_source(source()) }", false),
+        ("// m.spatial()\n#[cfg(test)]\nmod tests { fn f() { m.spatial() } }", false),
+    ] {
+        assert_eq!(asks(text), expected, "in: {text}");
     }
 }
 

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use loosepin::import::{ExportProblem, RobotFormat, export_robot, write_robot};
-use loosepin::study::{InputFile, export_networks};
+use loosepin::study::{InputFile, StudyModel, export_networks};
 
 use super::inputs::warn;
 use crate::arguments::{ExportArguments, RobotFormatArgument};
@@ -32,7 +32,7 @@ fn networks(results: &Path, outputs: &[String], folder: &Path, with_force: bool)
 
 fn robot(path: &Path, format: RobotFormat, folder: &Path, with_force: bool) -> Ending {
     let read = InputFile::from_path(path)?;
-    let Some(model) = read.model().spatial() else {
+    let StudyModel::Spatial(model) = read.model() else {
         return Err(Failure::of(&ExportProblem::NotInSpace { file: path.display().to_string() }));
     };
     warn(&model.warnings);

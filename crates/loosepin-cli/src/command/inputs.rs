@@ -32,9 +32,7 @@ pub fn read_study(path: &Path, set: &[String]) -> Result<Study, Failure> {
     let found = warnings(&file);
     let study = file.into_study()?;
     warn(&found);
-    if let Some(model) = study.model.planar() {
-        model.demand_dynamics()?;
-    }
+    study.model.demand_complete()?;
     Ok(study)
 }
 

@@ -10,11 +10,10 @@ use std::sync::Arc;
 use loosepin::diagnostics::{Diagnostics, Source};
 use loosepin::document::describe_path;
 use loosepin::model::Origin;
-use loosepin::space::stop_after;
 use loosepin::study::{InputFile, Study, StudyModel, number_and_unit};
 use loosepin::units::{Dimension, format_number, format_value};
 
-use super::new_play::{PLAY, can_have_play, give_play};
+use super::new_play::{PLAY, give_play};
 use super::toml::change::changes;
 use super::toml::lines::{EditedText, owned};
 use super::uncertainty_spec::{UncertaintySpec, WrittenQuantity, piece, uncertainty_spec};
@@ -30,8 +29,6 @@ const EPISTEMIC: &str = "epistemic";
 const ROUND: f64 = 1e12;
 /// Positions in a turn, for the test whether a mechanism moves.
 const POSITIONS: usize = 12;
-/// Steps along the motion of a mechanism in space, for the same.
-const MAX_STEPS: u64 = 3000;
 
 /// The changes that say how well the number at `path` is known, as people write it. They are not given where the texts could not be
 /// read with them, or would say anything else.
@@ -115,8 +112,8 @@ fn is_as_said(old: &Texts, new: &Texts, path: &str, table: Option<&str>) -> Resu
     let after = new.read().map_err(refused)?;
     let before = old.read().map_err(|_| unreadable("study"))?;
     // Reading alone does not look at the mechanism as a whole: a driven joint can have no play.
-    if moves(&before).is_ok() {
-        moves(&after).map_err(refused)?;
+    if before.try_to_move(POSITIONS).is_ok() {
+        after.try_to_move(POSITIONS).map_err(refused)?;
     }
     let (InputFile::Study(before), InputFile::Study(after)) = (before, after) else { return Ok(()) };
     let paths = |study: &Study, table: &str| -> BTreeSet<String> {
@@ -140,19 +137,6 @@ fn is_as_said(old: &Texts, new: &Texts, path: &str, table: Option<&str>) -> Resu
         }
     }
     Ok(())
-}
-
-/// Whether a mechanism moves.
-fn moves(file: &InputFile) -> Result<(), Diagnostics> {
-    match file.model().spatial() {
-        Some(model) => {
-            let values = model.quantities.nominal();
-            let mechanism = model.mechanism(&values).map_err(|error| model.diagnostic(&error))?;
-            let is_enough = stop_after(MAX_STEPS, &|| false);
-            model.first_positions(&mechanism, &values, &is_enough).map(|_| ())
-        }
-        None => file.ideal_motion(POSITIONS, &[]).map(|_| ()),
-    }
 }
 
 /// Location of a number of the model.
@@ -203,7 +187,7 @@ impl Number {
 
     fn of_new_play(model: &StudyModel, path: &str) -> Result<Self, Refusal> {
         let joint = path.strip_prefix("joint.").and_then(|rest| rest.strip_suffix(&format!(".{PLAY}")));
-        let joint = joint.filter(|name| can_have_play(model, name));
+        let joint = joint.filter(|name| !model.keys_of_new_play(name).is_empty());
         let name = joint.ok_or_else(|| missing(path))?.to_owned();
         Ok(Self {
             place: NumberLocation::NewPlay(name),

@@ -4,38 +4,28 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use loosepin::diagnostics::Diagnostics;
-use loosepin::model::Model;
 use loosepin::report::{
     CurveKey, live_bands, live_curve, live_curves, live_paths, motion_drawing, motion_sentences, moving_drawing,
 };
-use loosepin::result::kinematics::LoopProperties;
 use loosepin::result::motion::MotionRecord;
-use loosepin::result::simulation::{Drawing, DrawnBody, DrawnJoint, DrawnPoint};
-use loosepin::study::InputFile;
-use loosepin::units::{Dimension, format_value};
+use loosepin::result::simulation::Drawing;
+use loosepin::study::{InputFile, StudyModel};
 
-use crate::drawing::dimensions::dimensions;
-use crate::drawing::forces::forces;
-use crate::drawing::still::{NamedPoses, placed, still_drawing};
+use crate::drawing::still::NamedPoses;
 use crate::edit::{DragOutcome, gripped, kept_closure, nearest, refused_drag, why_not};
 use crate::files::folder::Folder;
-use crate::messages::{
-    BodyView, JointView, Look, LookAnswer, Outline, OutputView, PinView, PointView, QuantityView, View,
-};
+use crate::messages::{Look, LookAnswer, Outline, OutputView, QuantityView, View};
 use crate::view::diagnostics::diagnostic_views;
 use crate::view::limits::banded_limits;
 use crate::view::quantities::quantities;
-use crate::view::space_view::{seen_motion, space_outline};
+use crate::view::seen_model::{Moved, seen};
 use crate::view::texts::Texts;
 use crate::view::title::title;
 
-const MM_PER_M: f64 = 1e3;
 /// Largest number of instants shown of a run that is followed for a drawing.
 const CONTROLLED_POSITIONS: usize = 121;
 /// What is said of a drag whose loops close elsewhere, where no guess of the model can be changed.
 const OTHER_CLOSURE: &str = "the links close the other way round here: [assembly] guess says how, in the text";
-/// Points that are traced, at most.
-const MAX_TRACED: usize = 16;
 /// Fewest and most positions in a turn.
 const POSITIONS: [usize; 2] = [12, 720];
 
@@ -84,41 +74,34 @@ fn seen_after(
     let mut drawing = None;
     let view = file.ok().and_then(|file| {
         file.warnings().iter().for_each(|warning| diagnostics.push(warning.clone()));
-        if let Some(model) = file.model().spatial() {
-            let (record, found) = seen_motion(&file, model, stop);
-            diagnostics.extend(found);
-            return record.map(|record| {
-                let mechanism = (space_outline(model, outputs(&record)), quantities(&model.quantities, &texts));
-                view(&file, &record, mechanism, look.curve.as_ref(), &texts)
-            });
-        }
-        let model = file.model().planar()?;
+        let model = seen(file.model());
         let positions = look.positions.clamp(POSITIONS[0], POSITIONS[1]);
-        match file.ideal_motion_until(positions, &[], &known_points(model, &look.traced), stop) {
-            Ok(record) => {
-                if let (Some(reshaped), Some(drag)) = (&mut reshaped, drag) {
-                    reshaped.angle_deg = nearest(drag, &record.drawing).map(|found| found.angle_deg);
-                }
-                let outline = outline(model, &record.drawing, outputs(&record), &record.kinematics.loops);
-                let mechanism = (outline, quantities(&model.quantities, &texts));
-                let view = view(&file, &record, mechanism, look.curve.as_ref(), &texts);
-                drawing = Some(record.drawing);
-                Some(view)
+        let (record, found) = file.ideal_motion_with_findings(positions, &model.traced_points(&look.traced), stop);
+        if let Some(record) = record {
+            diagnostics.extend(found);
+            if let (Some(reshaped), Some(drag), true) = (&mut reshaped, drag, model.takes_drags()) {
+                reshaped.angle_deg = nearest(drag, &record.drawing).map(|found| found.angle_deg);
             }
-            Err(_) if stop.load(Ordering::Relaxed) => None,
-            Err(found) => file
-                .controlled_drawing(positions.min(CONTROLLED_POSITIONS))
-                .map(|drawing| controlled((&file, model), &drawing, &texts))
-                .or_else(|| {
-                    let view = look.poses.as_ref().map(|poses| {
-                        let mut poses = poses.clone();
-                        poses.extend(reshaped.iter().flat_map(|reshaped| reshaped.poses.clone()));
-                        incomplete((&file, model), &found, &poses, &texts)
-                    });
-                    diagnostics.extend(found);
-                    view
-                }),
+            let outline = model.outline(Moved::of(&record), outputs(&record));
+            let mechanism = (outline, quantities(file.model().quantities(), &texts));
+            let view = view(&file, &record, mechanism, look.curve.as_ref(), &texts);
+            drawing = Some(record.drawing).filter(|_| model.takes_drags());
+            return Some(view);
         }
+        if stop.load(Ordering::Relaxed) {
+            diagnostics.extend(found);
+            return None;
+        }
+        let controlled = file.controlled_drawing(positions.min(CONTROLLED_POSITIONS));
+        controlled.map(|drawing| controlled_view(&file, &drawing, &texts)).or_else(|| {
+            let view = look.poses.as_ref().and_then(|poses| {
+                let mut poses = poses.clone();
+                poses.extend(reshaped.iter().flat_map(|reshaped| reshaped.poses.clone()));
+                incomplete(&file, &found, &poses, &texts)
+            });
+            diagnostics.extend(found);
+            view
+        })
     });
     let diagnostics = diagnostic_views(&diagnostics, &texts);
     (LookAnswer { seq: look.seq, diagnostics, view, reshaped, cost_ms: 0.0, is_cut: false }, texts, drawing)
@@ -134,12 +117,6 @@ pub fn look(folder: &Folder, look: &Look) -> LookAnswer {
 pub fn cut(look: &Look, limit: Duration) -> LookAnswer {
     let cost_ms = limit.as_secs_f64() * 1e3;
     LookAnswer { seq: look.seq, diagnostics: Vec::new(), view: None, reshaped: None, cost_ms, is_cut: true }
-}
-
-/// The points among `names` that the model has.
-fn known_points(model: &Model, names: &[String]) -> Vec<String> {
-    let known = names.iter().filter(|name| model.points_of_paths(std::slice::from_ref(name)).is_ok());
-    known.take(MAX_TRACED).cloned().collect()
 }
 
 fn view(
@@ -170,21 +147,23 @@ fn view(
 }
 
 /// What actuators move has a drawing, and no band: that is of mechanisms that drives alone move.
-fn controlled(file: (&InputFile, &Model), drawing: &Drawing, texts: &Texts) -> View {
+fn controlled_view(file: &InputFile, drawing: &Drawing, texts: &Texts) -> View {
     let sentence = "Its motion follows from the forces of its actuators: what play does to it is seen in a run alone.";
     let view = drawn(file, drawing, "Moved by its actuators".to_owned(), texts);
     View { sentences: vec![sentence.to_owned()], ..view }
 }
 
-/// What does not move yet is drawn where its bodies were put.
-fn incomplete((file, model): (&InputFile, &Model), found: &Diagnostics, poses: &NamedPoses, texts: &Texts) -> View {
+/// What does not move yet is drawn where its bodies were put, if it can be.
+fn incomplete(file: &InputFile, found: &Diagnostics, poses: &NamedPoses, texts: &Texts) -> Option<View> {
+    let drawing = seen(file.model()).still_drawing(poses)?;
     let words = why_not(file, found);
-    let view = drawn((file, model), &still_drawing(model, &placed(model, poses)), words.clone(), texts);
-    View { incomplete: Some(words), ..view }
+    let view = drawn(file, &drawing, words.clone(), texts);
+    Some(View { incomplete: Some(words), ..view })
 }
 
 /// A mechanism without an ideal motion: its drawing and its texts.
-fn drawn((file, model): (&InputFile, &Model), drawing: &Drawing, mobility: String, texts: &Texts) -> View {
+fn drawn(file: &InputFile, drawing: &Drawing, mobility: String, texts: &Texts) -> View {
+    let model = file.model();
     View {
         title: title(file),
         mobility,
@@ -198,13 +177,14 @@ fn drawn((file, model): (&InputFile, &Model), drawing: &Drawing, mobility: Strin
         curve: None,
         drive_range_deg: None,
         limits: Vec::new(),
-        outline: outline(model, drawing, named_outputs(model), &[]),
-        quantities: quantities(&model.quantities, texts),
+        outline: seen(model).outline(Moved { drawing, loops: &[] }, named_outputs(model)),
+        quantities: quantities(model.quantities(), texts),
     }
 }
 
-fn named_outputs(model: &Model) -> Vec<OutputView> {
-    model.outputs.iter().map(|output| OutputView { name: output.name.clone(), words: output.name.clone() }).collect()
+fn named_outputs(model: &StudyModel) -> Vec<OutputView> {
+    let name = |name: &str| OutputView { name: name.to_owned(), words: name.to_owned() };
+    model.output_names().into_iter().map(name).collect()
 }
 
 fn outputs(record: &MotionRecord) -> Vec<OutputView> {
@@ -231,42 +211,4 @@ fn drive_range_deg(record: &MotionRecord) -> Option<[f64; 2]> {
         [(lower, first), (upper, last)]
             .map(|(end, recorded)| if end.is_finite() { end } else { recorded }.to_degrees()),
     )
-}
-
-fn outline(model: &Model, drawing: &Drawing, outputs: Vec<OutputView>, loops: &[LoopProperties]) -> Outline {
-    let point =
-        |point: &DrawnPoint| PointView { name: point.name.clone(), x: point.x_m * MM_PER_M, y: point.y_m * MM_PER_M };
-    let part = |body: &DrawnBody| BodyView { name: body.name.clone(), points: body.points.iter().map(point).collect() };
-    Outline {
-        bodies: drawing.bodies.iter().filter(|body| !body.is_ground).map(|body| body.name.clone()).collect(),
-        joints: drawing.joints.iter().map(|joint| seen_joint(drawing, joint)).collect(),
-        drives: drawing.drives.iter().map(|drive| drive.name.clone()).collect(),
-        outputs,
-        forces: forces(model),
-        parts: drawing.bodies.iter().map(part).collect(),
-        dimensions: dimensions(model),
-        loops: loops.iter().map(LoopProperties::words).collect(),
-    }
-}
-
-fn seen_joint(drawing: &Drawing, joint: &DrawnJoint) -> JointView {
-    let has_play = joint.radial_clearance_m > 0.0;
-    let is_pin = joint.kind.turns();
-    let point = drawing.bodies.get(joint.first.body).and_then(|body| body.points.get(joint.first.point));
-    JointView {
-        name: joint.name.clone(),
-        kind: joint.kind.words(),
-        play: has_play.then(|| format!("c = {}", format_value(joint.radial_clearance_m, Dimension::LENGTH))),
-        takes_play: is_pin,
-        pin: point.filter(|_| is_pin).map(|point| PinView {
-            body: joint.first.body,
-            x: point.x_m * MM_PER_M,
-            y: point.y_m * MM_PER_M,
-        }),
-        points: [joint.first, joint.second].map(|end| {
-            let body = drawing.bodies.get(end.body);
-            let point = body.and_then(|body| body.points.get(end.point));
-            body.zip(point).map(|(body, point)| format!("{}.{}", body.name, point.name)).unwrap_or_default()
-        }),
-    }
 }

@@ -1,27 +1,9 @@
 //! A mechanism in space as the page shows it. It is turned and moved there; its links and joints are changed in the text.
 
-use std::sync::atomic::{AtomicBool, Ordering};
-
-use loosepin::diagnostics::Diagnostics;
-use loosepin::result::motion::MotionRecord;
 use loosepin::space::{ModelJoint, SpatialModel};
-use loosepin::study::InputFile;
 use loosepin::units::{Dimension, format_value};
 
 use crate::messages::{BodyView, JointView, Outline, OutputView};
-
-/// The motion, and what is wrong although there is one: it is without what scatters, where that has no answer. Where `stop` is set, it
-/// comes to its end soon, and is good for nothing.
-pub fn seen_motion(file: &InputFile, model: &SpatialModel, stop: &AtomicBool) -> (Option<MotionRecord>, Diagnostics) {
-    let is_stopped = || stop.load(Ordering::Relaxed);
-    match file.play_in_space(model, &[], false, &is_stopped) {
-        Ok(mut record) => {
-            let found = file.add_scatter(model, &[], &mut record, &is_stopped).err().unwrap_or_default();
-            (Some(record), found)
-        }
-        Err(found) => (None, found),
-    }
-}
 
 /// What it consists of.
 pub fn space_outline(model: &SpatialModel, outputs: Vec<OutputView>) -> Outline {

@@ -4,12 +4,11 @@ use super::drawing::Pictures;
 use super::material::Material;
 use super::value_bands::value_bands;
 use crate::file::Ask;
+use crate::model::outputs::OutputSource;
 use crate::question::CurveBand;
 use crate::response::columns::BAND;
-use crate::response::outputs::OutputSource;
 use loosepin_bounds::Statistic;
 use loosepin_result::study::{CurveRange, DeviationCurve, PathCurve, PathError, SimultaneousCurve};
-use loosepin_simulate::Reading;
 
 /// One curve for each ask for the whole cycle.
 pub fn curves(material: &Material<'_>, pictures: &Pictures, bands: &[CurveBand]) -> Vec<DeviationCurve> {
@@ -68,14 +67,10 @@ fn path(material: &Material<'_>, ask: &Ask) -> Option<PathCurve> {
     else {
         return None;
     };
-    let shared = &material.response.planar()?.shared;
-    let place = |own: Reading| shared.follow.readings.iter().position(|reading| *reading == own);
-    let (x, y) = place(readings[0]).zip(place(readings[1]))?;
     let mut path = PathCurve::default();
     for &column in &ask.columns {
         let share = material.plan().columns[column].spot.pose()?.turns / material.response.recorded_turns();
-        // The time has no part in a direction.
-        let [x, y] = [x, y].map(|reading| shared.nominal_curve.jet(reading, share, 1.0));
+        let [x, y] = material.response.ideal_jets(readings, share)?;
         path.x_m.push(x[0]);
         path.y_m.push(y[0]);
         let speed = (x[1] * x[1] + y[1] * y[1]).sqrt();

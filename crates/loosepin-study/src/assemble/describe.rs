@@ -2,9 +2,9 @@
 
 use super::material::Material;
 use crate::distribution_words::distribution_words;
-use crate::file::{CorrelationMeasure, EpistemicSubject, PLAY, RandomInput, Study, UncertainParameter, journal_words};
-use crate::response::outputs::OutputSource;
-use loosepin_mechanics::model::{JointId, PlayId};
+use crate::file::{CorrelationMeasure, EpistemicSubject, RandomInput, Study, UncertainParameter, journal_words};
+use crate::model::PLAY;
+use crate::model::outputs::OutputSource;
 use loosepin_result::study::{
     CorrelationDescription, CutDescription, CycleDescription, ElementDescription, InputDescription, InputKind,
     OutputDescription, PathOutput,
@@ -142,22 +142,15 @@ fn uncertain_words(input: &RandomInput, study: &Study) -> String {
 pub fn cycle(material: &Material<'_>) -> CycleDescription {
     let study = material.study;
     let input = study.model.input(study.cycle.span, material.response.nominal());
-    let settings = material.response.planar().map(|planar| *planar.settings());
+    let stepping = material.response.stepping();
     CycleDescription {
         drive_speed_rad_s: input.is_drive.then_some(input.speed_rad_s),
         drive: input.name,
         transient_turns: study.cycle.transient_turns,
         recorded_turns: study.cycle.recorded_turns,
         tolerance_m: study.sampling.tolerance_m,
-        method: settings.map_or(String::new(), |settings| settings.method.name.to_owned()),
+        method: stepping.map_or(String::new(), |stepping| stepping.settings.method.name.to_owned()),
     }
-}
-
-/// Name of a joint whose force is that of a contact.
-fn contact_of(material: &Material<'_>, joint: JointId) -> Option<String> {
-    let mechanism = material.response.planar()?.mechanism();
-    let has_play = mechanism.plays.contains(&PlayId::Joint(joint));
-    has_play.then(|| mechanism.model.joints[joint.0].name.clone())
 }
 
 /// The outputs that were asked about.
@@ -178,7 +171,10 @@ pub fn outputs(material: &Material<'_>) -> Vec<OutputDescription> {
                 }
                 OutputSource::Reading(_) | OutputSource::Wear(..) | OutputSource::InSpace(_) => None,
             },
-            contact_force_in: output.seen.force_in().and_then(|joint| contact_of(material, joint)),
+            contact_force_in: {
+                let joint = output.seen.force_in();
+                joint.and_then(|joint| material.response.name_of_contact(joint)).map(str::to_owned)
+            },
         })
         .collect()
 }

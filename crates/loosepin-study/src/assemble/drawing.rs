@@ -5,7 +5,6 @@ use crate::file::Study;
 use crate::file::{EpistemicInput, EpistemicSubject};
 use crate::response::study_response::StudyResponse;
 use loosepin_result::simulation::{Drawing, JournalOrbit, Trust};
-use loosepin_simulate::{Plan, simulate_poses, skeleton};
 
 /// Poses of the moving picture.
 const POSES: usize = 180;
@@ -34,29 +33,10 @@ pub fn pictures(material: &Material<'_>) -> Pictures {
         nominal_row.fill(f64::NAN);
     }
 
-    let Some(planar) = response.planar() else {
-        return Pictures {
-            drawing: Drawing::default(),
-            orbits: Vec::new(),
-            nominal_row,
-            nominal_trust: Trust::NotMeasured,
-        };
-    };
     let mut cycle = study.cycle.clone();
     cycle.samples_per_turn = (ORBIT_SAMPLES as f64 / cycle.recorded_turns).ceil() as usize;
-    let plan = Plan {
-        cycle,
-        settings: *planar.settings(),
-        with_states: false,
-        lyapunov_turns: None,
-        second_run: false,
-        overrides: Vec::new(),
-    };
-    let run_at = |epistemic: &[f64], second_run: bool| {
-        let values = response.values(&nominal, epistemic).ok()?;
-        let plan = Plan { second_run, ..plan.clone() };
-        simulate_poses(&planar.mechanisms[planar.variant(epistemic)], &values, &plan).ok()
-    };
+    let run_at =
+        |epistemic: &[f64], has_second_run: bool| response.drawn_run(&nominal, epistemic, &cycle, has_second_run);
     let offset_rad = recorded_offset_rad(study, response);
     let mut orbits: Vec<JournalOrbit> = Vec::new();
     let mut add = |label: String, mut found: Vec<JournalOrbit>| {
@@ -66,7 +46,7 @@ pub fn pictures(material: &Material<'_>) -> Pictures {
         }
         orbits.append(&mut found);
     };
-    let mut drawing = skeleton(planar.mechanism(), &planar.nominal);
+    let mut drawing = response.skeleton();
     let mut nominal_trust = Trust::NotMeasured;
     if let Some(central) = run_at(&middle, true) {
         nominal_trust = central.record.trust;
@@ -131,6 +111,7 @@ fn nominal_quantities(study: &Study, response: &StudyResponse) -> Vec<f64> {
 mod tests {
     use super::{ORBIT_SAMPLES, nominal_quantities, pictures};
     use crate::assemble::few_runs::FewRuns;
+    use crate::response::planar_response::PlanarResponse;
     use loosepin_result::simulation::PoseTable;
     use loosepin_simulate::{Plan, simulate, simulate_poses};
     use std::f64::consts::TAU;
@@ -157,7 +138,8 @@ mod tests {
         let middle: Vec<f64> = study.epistemic.iter().map(|input| input.variable.middle()).collect();
         let nominal = nominal_quantities(study, response);
         let values = response.values(&nominal, &middle).unwrap();
-        let (cycle, settings) = (study.cycle.clone(), *response.planar().unwrap().settings());
+        let planar = PlanarResponse::new(study).unwrap();
+        let (cycle, settings) = (study.cycle.clone(), *planar.settings());
         let plan = Plan {
             cycle,
             settings,
@@ -166,7 +148,7 @@ mod tests {
             second_run: false,
             overrides: Vec::new(),
         };
-        let mechanism = &response.planar().unwrap().mechanisms[response.variant(&middle)];
+        let mechanism = &planar.mechanisms[response.variant(&middle)];
         let whole = simulate(mechanism, &values, &plan).unwrap();
         let mut poses = simulate_poses(mechanism, &values, &plan).unwrap();
         // Loops are closed from the pose that was asked for before: that differs.

@@ -2,10 +2,10 @@
 
 use super::coherent::{cut_end_to_range, cut_to_range, hold_larger, hold_smaller, narrow, narrow_to_nearest};
 use crate::file::{EpistemicInput, Reduction, Sampling, Study};
+use crate::model::outputs::OutputSource;
 use crate::places::Location;
 use crate::question::Rare;
 use crate::response::columns::{ColumnPlan, StudyColumn};
-use crate::response::outputs::OutputSource;
 use crate::response::study_response::StudyResponse;
 use loosepin_bounds::{Bound, BoundPair, Bounds, SampleTable};
 use loosepin_result::study::{BoundEnd, NumericalError, PathError, ResponsePoint, Statistic, Witness, WitnessValue};

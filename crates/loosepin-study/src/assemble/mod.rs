@@ -11,9 +11,9 @@ mod drawing;
 #[cfg(test)]
 mod few_runs;
 mod material;
+mod motion;
 mod paths;
 mod requirements;
-mod spatial;
 mod summary;
 mod treatments;
 mod value_bands;
@@ -77,7 +77,7 @@ pub(super) fn assemble(found: &Found, material: &Material<'_>, input_hash: &str,
         nominal_trust: pictures.nominal_trust,
         orbits: pictures.orbits,
         paths: paths::paths(study),
-        motion: spatial::spatial(study),
+        motion: motion::motion(study),
         drawing: pictures.drawing,
     }
 }

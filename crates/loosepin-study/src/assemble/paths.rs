@@ -10,8 +10,7 @@ const POSITIONS: usize = 180;
 
 /// The paths; `None` if there are none, or the drives alone do not move the mechanism: no finished study is lost for it.
 pub fn paths(study: &Study) -> Option<CyclePaths> {
-    let is_path = |output: &loosepin_mechanics::model::Output| output.kind.path().is_some();
-    if study.paths().is_empty() && !study.model.planar()?.outputs.iter().any(is_path) {
+    if study.paths().is_empty() && !study.model.has_paths_with_zones() {
         return None;
     }
     let record = InputFile::Study(Box::new(study.clone())).ideal_motion_with_paths(POSITIONS, study.paths()).ok()?;

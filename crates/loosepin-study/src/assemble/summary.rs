@@ -5,11 +5,7 @@ use crate::file::EpistemicInput;
 use crate::response::extras::{JointExtras, RunExtras};
 use loosepin_bounds::{Gaps, Purpose};
 use loosepin_math::sort_ascending;
-use loosepin_mechanics::mechanism::Sample;
-use loosepin_result::study::{
-    EnergyResiduals, GapRecord, HistogramBin, JointImpacts, PurposeRuns, RunCounts, StudiedLaw,
-};
-use loosepin_simulate::contact_basis;
+use loosepin_result::study::{EnergyResiduals, GapRecord, HistogramBin, JointImpacts, PurposeRuns, RunCounts};
 
 /// A motion counts as periodic when no pose changed by more than this over the last turn: share of the size, or rad.
 pub const SETTLED: f64 = 1e-6;
@@ -90,25 +86,6 @@ pub fn energy(material: &Material<'_>) -> Option<EnergyResiduals> {
     })
 }
 
-/// The contact laws of a joint with play, each once, in the order of the mechanisms.
-fn laws(material: &Material<'_>, play: usize) -> Vec<StudiedLaw> {
-    let nominal = material.response.nominal();
-    let mut laws: Vec<StudiedLaw> = Vec::new();
-    let planar = material.response.planar().into_iter();
-    for mechanism in planar.flat_map(|planar| &planar.mechanisms) {
-        let (model, id) = (&mechanism.model, mechanism.plays[play]);
-        let Some(contact) = model.play_contact(id) else { continue };
-        let law = model.contacts[contact.0].law.name();
-        if laws.iter().any(|known| known.law == law) {
-            continue;
-        }
-        let sample = Sample::<f64>::new(mechanism, nominal).ok();
-        let basis = sample.and_then(|sample| contact_basis(mechanism, id, &sample.plays[play], nominal));
-        laws.extend(basis.map(|basis| StudiedLaw { law: law.to_owned(), basis }));
-    }
-    laws
-}
-
 /// Impacts in each joint with play over all finished runs.
 pub fn impacts(material: &Material<'_>) -> Vec<JointImpacts> {
     let runs: Vec<RunExtras> = finished(material).collect();
@@ -130,7 +107,7 @@ pub fn impacts(material: &Material<'_>) -> Vec<JointImpacts> {
             let beyond: f64 = all.iter().map(|joint| joint.beyond_validity).sum();
             JointImpacts {
                 joint: joint.clone(),
-                laws: laws(material, index),
+                laws: material.response.laws_of_play(index),
                 impacts_per_turn: [per_turn[0], per_turn[per_turn.len() / 2], per_turn[per_turn.len() - 1]],
                 nominal_restitution: known(range(&|joint| joint.nominal_restitution)),
                 delivered_restitution: known(range(&|joint| joint.delivered_restitution)),

@@ -71,8 +71,8 @@ impl StudyReader {
             })
         };
         if is_empty(self, &[&root.random, &root.epistemic]) && self.journals.is_none() {
-            let is_in_space = self.model.spatial().is_some();
-            self.reader.report(&StudyProblem::NothingUncertain { is_in_space }, root.table.span);
+            let has_dynamics = self.model.has_dynamics();
+            self.reader.report(&StudyProblem::NothingUncertain { has_dynamics }, root.table.span);
         }
         // Readings of a rig are asked about by `identify`, which needs no question.
         if is_empty(self, &[&root.ask, &root.require, &root.measured]) {

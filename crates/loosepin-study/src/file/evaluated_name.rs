@@ -2,7 +2,6 @@
 
 use super::words::{DEVIATIONS, REDUCTIONS};
 use crate::model::StudyModel;
-use crate::response::study_outputs::study_outputs;
 use loosepin_text::diagnostics::{Code, nearest_name, problems};
 
 /// The keys of a question.
@@ -53,7 +52,7 @@ impl NamedQuestion {
     /// Nothing has this name.
     pub fn of_name(model: &StudyModel, name: &str) -> Result<Self, NameProblem> {
         let (curve, place) = place_of(model, name);
-        let outputs = study_outputs(model);
+        let outputs = model.outputs();
         let found = curve.rsplit_once(' ').and_then(|(output, word)| {
             let output = outputs.iter().find(|known| known.name == output)?;
             let of = DEVIATIONS.iter().find(|(known, _)| *known == word)?.0;

@@ -39,7 +39,7 @@ pub use measurements::measurement::{
 pub use measurements::motion::MotionProblem;
 pub use measurements::specimen::MIN_ROWS as MIN_SPECIMEN_ROWS;
 pub use measurements::specimen_problem::SpecimenProblem;
-pub use play::{PLAY, journal_words};
+pub use play::journal_words;
 pub use problem::{MeantLimit, StudyProblem};
 pub use questions::accuracy::AccuracyProblem;
 pub use questions::ask::{Ask, Asked};

@@ -5,13 +5,11 @@ use super::problem::StudyProblem;
 use super::questions::ask::Asked;
 use super::reader::StudyReader;
 use crate::file::measurements::specimen_problem::SpecimenProblem;
+use crate::model::PLAY;
 use crate::places::Where;
 use loosepin_space::PlayDistribution;
 use loosepin_text::document::Entry;
 use loosepin_uncertainty::{Distribution, Members, RandomVariable};
-
-/// Path of the input that stands for the places of all journals.
-pub const PLAY: &str = "play";
 
 /// Where the journals are, as a file says it; `None` where it is not known.
 pub(super) const JOURNALS: [(&str, Option<PlayDistribution>); 3] = [
@@ -39,7 +37,7 @@ impl StudyReader {
             self.journals = Some(PlayDistribution::Inside);
             return;
         };
-        let problem = if self.model.spatial().is_none() {
+        let problem = if self.model.decides_journals() {
             StudyProblem::JournalsInPlane
         } else if !self.model.has_play() {
             StudyProblem::JournalsWithoutPlay
@@ -57,12 +55,14 @@ impl StudyReader {
     /// Adds the places of the journals, where a model in space has play: drawn as the file says, or else anything between what they make
     /// smallest and largest, at each position.
     pub fn add_play(&mut self) {
-        let Some(model) = self.model.spatial().filter(|_| self.model.has_play()) else { return };
+        if self.model.decides_journals() || !self.model.has_play() {
+            return;
+        }
         if let Some(distribution) = self.journals {
             let Ok(variable) = RandomVariable::try_new(Distribution::Uniform { lower: 0.0, upper: 1.0 }) else {
                 return;
             };
-            let numbers = model.uniforms_of_joints(distribution).into_iter().flat_map(|(joint, count)| {
+            let numbers = self.model.uniforms_of_joints(distribution).into_iter().flat_map(|(joint, count)| {
                 let place = format!("joint.{joint}.journal");
                 (1..=count).map(move |number| (place.clone(), number))
             });
@@ -86,7 +86,7 @@ impl StudyReader {
 
     /// Whether a deviation depends on places of journals that nothing decides.
     fn has_unknown_play(&self, deviation: Deviation) -> bool {
-        let is_unknown = self.model.spatial().is_some() && self.model.has_play() && self.journals.is_none();
+        let is_unknown = !self.model.decides_journals() && self.model.has_play() && self.journals.is_none();
         is_unknown && deviation.has_play()
     }
 

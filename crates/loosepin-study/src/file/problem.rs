@@ -175,9 +175,9 @@ problems! {
                 None => format!("available: {}", listed(known, "and")),
             }));
         /// A question about a path of a point.
-        PathOutput { entry: String, name: String, is_in_space: bool } => Code::AskNotPossible,
+        PathOutput { entry: String, name: String, has_height: bool } => Code::AskNotPossible,
             says("{entry}: output '{name}' is a path, but 'component' is missing"),
-            hint("add component: {}", if *is_in_space {
+            hint("add component: {}", if *has_height {
                 "along is the error along the path, across the distance from the line along the path, magnitude the distance from the ideal \
                  place, x, y or z a coordinate"
             } else {
@@ -380,12 +380,12 @@ problems! {
         Limit { entry: String, found: String, rule: &'static str } => Code::AskNotPossible,
             says("{entry} {found}; must be {rule}");
         /// No random and no epistemic input.
-        NothingUncertain { is_in_space: bool } => Code::NothingUncertain,
+        NothingUncertain { has_dynamics: bool } => Code::NothingUncertain,
             says("the study has no uncertain input"),
-            hint("add uncertain quantities under [random] or [epistemic]; {}", if *is_in_space {
-                "`loosepin motion` shows what play does to the nominal mechanism"
-            } else {
+            hint("add uncertain quantities under [random] or [epistemic]; {}", if *has_dynamics {
                 "for one run use `loosepin simulate`"
+            } else {
+                "`loosepin motion` shows what play does to the nominal mechanism"
             });
         /// No question and no requirement.
         NothingAsked => Code::NothingAsked,

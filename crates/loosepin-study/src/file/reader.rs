@@ -3,8 +3,7 @@
 use super::description::{EpistemicInput, RandomInput};
 use super::problem::StudyProblem;
 use crate::model::StudyModel;
-use crate::response::outputs::StudyOutput;
-use crate::response::study_outputs::study_outputs;
+use crate::model::outputs::StudyOutput;
 use loosepin_bounds::{PromiseSettings, Reading};
 use loosepin_result::study::Deviation;
 use loosepin_space::PlayDistribution;
@@ -51,7 +50,7 @@ impl StudyReader {
     pub fn new(reader: Reader, model: StudyModel, promise: PromiseSettings, has_rows: bool) -> Self {
         Self {
             reader,
-            outputs: study_outputs(&model),
+            outputs: model.outputs(),
             model,
             random: Vec::new(),
             journals: None,

@@ -71,7 +71,7 @@ impl StudyReader {
         let mut cycle = self.model.cycle();
         if let Some(table) = written.and_then(|entry| StudyCycleTable::read(self, entry)) {
             let start_up = table.table.get("transient_turns").filter(|_| table.transient_turns.unwrap_or(0.0) != 0.0);
-            if let Some(entry) = start_up.filter(|_| self.model.spatial().is_some()) {
+            if let Some(entry) = start_up.filter(|_| !self.model.has_start_up()) {
                 self.report(&StudyProblem::NoStartUp { entry: entry.path.describe() }, &entry);
             }
             cycle.transient_turns = table.transient_turns.unwrap_or(cycle.transient_turns);

@@ -10,7 +10,7 @@ use crate::file::questions::question_settings::QuestionSettings;
 use crate::file::questions::requirement::Requirement;
 use crate::file::questions::target::AccuracyTarget;
 use crate::model::StudyModel;
-use crate::response::outputs::StudyOutput;
+use crate::model::outputs::StudyOutput;
 use loosepin_bounds::{PromiseSettings, Reading};
 use loosepin_mechanics::model::Cycle;
 use loosepin_result::study::{Budget, Together};

@@ -1,20 +1,26 @@
-//! The model of a study, in the plane or in space: what a study asks of both, in one place.
-//!
-//! What only one of them has is reached by [`StudyModel::planar`] and [`StudyModel::spatial`].
+//! The model of a study, in the plane or in space. What a study asks of both is [`KindOfModel`], which each says of itself in a file of its
+//! own; nobody else asks which of the two it is.
 
-mod inputs;
-pub use inputs::Clearance;
-mod settings;
+mod kind;
+pub use kind::{Clearance, DeviationProofs, KindOfModel, PLAY, ProvenDeviations};
+mod motion_request;
+pub use motion_request::MotionRequest;
+pub(crate) mod outputs;
+mod planar;
+mod planar_outputs;
+mod spatial;
+mod spatial_motion;
+mod spatial_outputs;
 mod spatial_paths;
-mod turn;
+mod spatial_settings;
+mod spatial_turn;
 
 use loosepin_mechanics::model::{Model, ModelProblem};
 use loosepin_result::repeat::InputRole;
 use loosepin_space::{SpatialModel, is_spatial, refuse_without_geometry};
-use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Place, Source};
+use loosepin_text::diagnostics::{Diagnostics, Place, Source};
 use loosepin_text::document::parse_toml;
-use loosepin_text::numbers::QuantityTable;
-use loosepin_text::units::{Dimension, DisplayUnits};
+use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
 
 /// A model of a mechanism.
@@ -46,6 +52,27 @@ impl From<SpatialModel> for StudyModel {
     }
 }
 
+/// All that both kinds say of themselves.
+impl Deref for StudyModel {
+    type Target = dyn KindOfModel;
+
+    fn deref(&self) -> &Self::Target {
+        match self {
+            Self::Planar(model) => &**model,
+            Self::Spatial(model) => &**model,
+        }
+    }
+}
+
+impl DerefMut for StudyModel {
+    fn deref_mut(&mut self) -> &mut Self::Target {
+        match self {
+            Self::Planar(model) => &mut **model,
+            Self::Spatial(model) => &mut **model,
+        }
+    }
+}
+
 impl StudyModel {
     /// Reads the text of a model file.
     ///
@@ -59,20 +86,21 @@ impl StudyModel {
         Model::from_source(source).map(Self::from)
     }
 
-    /// The model, if it is planar.
-    pub fn planar(&self) -> Option<&Model> {
-        match self {
-            Self::Planar(model) => Some(model),
-            Self::Spatial(_) => None,
-        }
+    /// The same with the values of settings `path=value` in place of those of its file, and with warnings about them.
+    ///
+    /// # Errors
+    /// Every setting that cannot be read, a quantity that is set twice, and values that break a rule together.
+    pub fn with_settings(mut self, texts: &[String]) -> Result<Self, Diagnostics> {
+        let warnings = self.warnings_of_settings(texts);
+        let values = self.take_settings(texts)?;
+        self.take_values(values, warnings);
+        Ok(self)
     }
 
-    /// The model, if it is in space.
-    pub fn spatial(&self) -> Option<&SpatialModel> {
-        match self {
-            Self::Planar(_) => None,
-            Self::Spatial(model) => Some(model),
-        }
+    /// The file of the model and the tables that it names.
+    pub fn input_files(&self) -> impl Iterator<Item = (InputRole, &Source)> {
+        let tables = self.tables().iter().map(|table| (InputRole::Table, &**table));
+        std::iter::once((InputRole::Model, &**self.source())).chain(tables)
     }
 
     /// The planar model, where no other is taken.
@@ -80,7 +108,10 @@ impl StudyModel {
     /// # Errors
     /// The model is in space.
     pub fn demand_planar(&self) -> Result<&Model, Diagnostics> {
-        self.planar().ok_or_else(|| refused(self.source()))
+        match self {
+            Self::Planar(model) => Ok(model),
+            Self::Spatial(model) => Err(refused(model.source())),
+        }
     }
 
     /// The planar model itself, where no other is taken.
@@ -92,77 +123,5 @@ impl StudyModel {
             Self::Planar(model) => Ok(*model),
             Self::Spatial(model) => Err(refused(model.source())),
         }
-    }
-
-    /// Its name.
-    pub fn name(&self) -> &str {
-        match self {
-            Self::Planar(model) => &model.name,
-            Self::Spatial(model) => &model.name,
-        }
-    }
-
-    /// Every number of it.
-    pub fn quantities(&self) -> &QuantityTable {
-        match self {
-            Self::Planar(model) => &model.quantities,
-            Self::Spatial(model) => &model.quantities,
-        }
-    }
-
-    /// The file that it was read from.
-    pub fn source(&self) -> &Arc<Source> {
-        match self {
-            Self::Planar(model) => model.source(),
-            Self::Spatial(model) => model.source(),
-        }
-    }
-
-    /// The CSV files that were read with it.
-    pub fn tables(&self) -> &[Arc<Source>] {
-        self.planar().map_or(&[], Model::tables)
-    }
-
-    /// The file of the model and the tables that it names.
-    pub fn input_files(&self) -> impl Iterator<Item = (InputRole, &Source)> {
-        let tables = self.tables().iter().map(|table| (InputRole::Table, &**table));
-        std::iter::once((InputRole::Model, &**self.source())).chain(tables)
-    }
-
-    /// Likely mistakes in it.
-    pub fn warnings(&self) -> &[Diagnostic] {
-        match self {
-            Self::Planar(model) => &model.warnings,
-            Self::Spatial(model) => &model.warnings,
-        }
-    }
-
-    /// Place of an entry of the file, by its dotted path.
-    pub fn place(&self, path: &str) -> Option<Place> {
-        match self {
-            Self::Planar(model) => model.place(path),
-            Self::Spatial(model) => model.place(path),
-        }
-    }
-
-    /// Names of its outputs, in file order.
-    pub fn output_names(&self) -> Vec<&str> {
-        match self {
-            Self::Planar(model) => model.outputs.iter().map(|output| output.name.as_str()).collect(),
-            Self::Spatial(model) => model.outputs.iter().map(|output| output.name.as_str()).collect(),
-        }
-    }
-
-    /// How numbers are shown to people.
-    pub fn shown_in(&self, usual: DisplayUnits) -> DisplayUnits {
-        match self {
-            Self::Planar(model) => model.shown_in(usual),
-            Self::Spatial(_) => usual,
-        }
-    }
-
-    /// Dimension of a quantity by its path.
-    pub fn dimension_of(&self, path: &str) -> Option<Dimension> {
-        self.quantities().id(path).map(|id| self.quantities()[id].dimension)
     }
 }

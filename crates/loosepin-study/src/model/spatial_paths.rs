@@ -1,6 +1,6 @@
 //! Paths of quantities of a model in space: what is found, and what is said where nothing is.
 
-use crate::file::PLAY;
+use super::kind::PLAY;
 use loosepin_mechanics::model::PathError;
 use loosepin_space::{ModelJoint, SpatialModel};
 use loosepin_text::diagnostics::nearest_name;

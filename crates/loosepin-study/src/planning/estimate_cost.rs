@@ -5,12 +5,12 @@ use crate::file::{EpistemicSubject, Study};
 use crate::planning::cost_estimate::CostEstimate;
 use crate::planning::plans::{Plans, default_threads, planned};
 use crate::planning::problem::problem;
-use crate::response::extras::RunExtras;
-use crate::response::planar_response::PlanarResponse;
+use crate::response::kind::Stepping;
 use crate::response::study_response::StudyResponse;
 use loosepin_bounds::{DoubleLoop, RunInputs, SampleTable};
 use loosepin_simulate::{Execution, RunFailure};
 use std::cell::Cell;
+use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
 /// Runs that are timed: they fill the lanes of a thread.
@@ -42,21 +42,22 @@ pub fn estimate_cost(study: &Study) -> Result<CostEstimate, StudyError> {
     let plans = planned(study, &response, default_threads())?;
     let mut estimate = CostEstimate { most_runs: plans.limits.most_runs(), search_runs: 0, run_s: None, promise: None };
     plans.questions.iter().for_each(|question| question.add_cost(&mut estimate));
-    let Some(planar) = response.planar_mut() else {
+    let Some(Stepping { multiplications, .. }) = response.stepping() else {
         let share = closed_share(study, &response, &plans);
         estimate.run_s = time_positions_s(study, &response)?.map(|closing_s| share * closing_s);
         return Ok(estimate);
     };
-    let variants = planar.mechanisms.len().min(MAX_VARIANTS);
-    let all = TIMED_MULTIPLICATIONS / (variants as f64 * planar.mechanism().multiplications());
+    let variants = response.variants().min(MAX_VARIANTS);
+    let all = TIMED_MULTIPLICATIONS / (variants as f64 * multiplications);
     // What has no room for the lanes of a thread runs on its own.
     let runs = ((all / MIN_EVALUATIONS) as usize).min(TIMED_RUNS);
     if runs == 0 {
         return Ok(estimate);
     }
-    planar.limit_evaluations((all / runs as f64) as u64);
-    if let Some(planar) = response.planar() {
-        estimate.run_s = time_runs_s(study, (&response, planar), runs)?;
+    let most_evaluations = (all / runs as f64) as u64;
+    response.limit_evaluations(most_evaluations);
+    if let Some(stepping) = response.stepping() {
+        estimate.run_s = time_runs_s(study, &response, &TimedRuns { stepping, runs, most_evaluations })?;
     }
     Ok(estimate)
 }
@@ -136,25 +137,31 @@ impl Timing {
     }
 }
 
+/// The runs that are timed.
+struct TimedRuns<'r> {
+    stepping: Stepping<'r>,
+    /// How many of each combination of laws.
+    runs: usize,
+    /// Evaluations after which each is given up.
+    most_evaluations: u64,
+}
+
 /// Processor time of a whole run, s, from the first runs of the plan; `None` if they do not show it.
 ///
 /// A run is prepared (its ideal motion) and then stepped through. What is given up was prepared as a whole.
-fn time_runs_s(
-    study: &Study,
-    (response, planar): (&StudyResponse, &PlanarResponse),
-    runs: usize,
-) -> Result<Option<f64>, StudyError> {
+fn time_runs_s(study: &Study, response: &StudyResponse, timed: &TimedRuns<'_>) -> Result<Option<f64>, StudyError> {
     let plan = DoubleLoop::try_new(problem(study, response))?;
+    let runs = timed.runs;
     let (mechanisms, least_share) =
-        if planar.mechanism().is_driven() { (MECHANISMS, 0.0) } else { (FREE_MECHANISMS, MIN_FREE_SHARE) };
+        if timed.stepping.is_driven { (MECHANISMS, 0.0) } else { (FREE_MECHANISMS, MIN_FREE_SHARE) };
     let mut timing = Timing::default();
-    for variant in 0..planar.mechanisms.len().min(MAX_VARIANTS) {
+    for variant in 0..response.variants().min(MAX_VARIANTS) {
         let is_meant = |epistemic: &[f64]| response.variant(epistemic) == variant;
         // The mechanisms are the same at each value of the epistemic inputs, as in the study: where these do not change an ideal motion,
         // it is known at all but the first. Where there is but one value, each has a mechanism of its own.
         let points = plan.first_runs(runs, 1, is_meant).len();
         let each = if points > 1 { mechanisms.min(runs) } else { runs };
-        time_variant(planar, variant, (runs, &plan.first_runs(runs / each, each, is_meant)), &mut timing);
+        time_variant(response, variant, (timed, &plan.first_runs(runs / each, each, is_meant)), &mut timing);
     }
     match timing.reason.take() {
         Some(reason) if timing.runs.is_empty() => Err(StudyError::AllFailed { runs: timing.tried, reason }),
@@ -162,15 +169,22 @@ fn time_runs_s(
     }
 }
 
-/// Adds `runs` runs of the mechanism `variant`: those of `inputs`, over and over, so that all lanes are filled.
-fn time_variant(response: &PlanarResponse, variant: usize, (runs, inputs): (usize, &[RunInputs]), timing: &mut Timing) {
-    let (end_s, given) = (response.nominal_end_s(), response.largest_evaluations);
-    let mut waiting = inputs.iter().cycle().take(runs).map(|inputs| (0, &inputs.random[..], &inputs.epistemic[..]));
+/// Adds runs of the kind `variant`: those of `inputs`, over and over, so that all lanes are filled.
+fn time_variant(
+    response: &StudyResponse,
+    variant: usize,
+    (timed, inputs): (&TimedRuns<'_>, &[RunInputs]),
+    timing: &mut Timing,
+) {
+    let (Stepping { settings, nominal_end_s, .. }, given) = (&timed.stepping, timed.most_evaluations);
+    let mut waiting =
+        inputs.iter().cycle().take(timed.runs).map(|inputs| (0, &inputs.random[..], &inputs.epistemic[..]));
     let ended = Cell::new(0_u32);
     let mut asked: Vec<(Instant, u32)> = Vec::new();
-    let preparations = response.run_all(
+    let preparations = response.run_all_until(
         variant,
         Execution::best(),
+        &AtomicBool::new(false),
         || {
             asked.push((Instant::now(), ended.get()));
             let is_in_time = asked.get(1).is_none_or(|(second, _)| second.elapsed() < MAX_PREPARING);
@@ -180,14 +194,14 @@ fn time_variant(response: &PlanarResponse, variant: usize, (runs, inputs): (usiz
             ended.set(ended.get() + 1);
             match outcome {
                 Ok(row) => {
-                    let extras = RunExtras::read(&row, response.joints.len());
+                    let extras = response.extras(&row);
                     // Where nothing is integrated each step counts as one of the method.
-                    let of_steps = extras.steps * response.settings().method.stages.len() as f64;
+                    let of_steps = extras.steps * settings.method.stages.len() as f64;
                     let evaluations = if extras.evaluations > 0.0 { extras.evaluations } else { of_steps };
                     timing.runs.push((evaluations, 1.0));
                 }
                 Err(RunFailure::TooManyEvaluations { time_s, limit }) if limit == given => {
-                    timing.runs.push((limit as f64, time_s / end_s));
+                    timing.runs.push((limit as f64, time_s / nominal_end_s));
                 }
                 Err(failure) => timing.reason = Some(failure),
             }

@@ -144,8 +144,10 @@ fn further_turns(settings: Settings, runs: &Runs<'_>) -> Result<FurtherTurnsResu
     if matches!(study.cycle.span, CycleSpan::Duration(_)) {
         return Ok(Err(IS_TIME));
     }
-    let Some(planar) = study.model.planar() else { return Ok(Err(NO_EXTREME)) };
-    if planar.wear.is_some() {
+    if !study.model.has_start_up() {
+        return Ok(Err(NO_EXTREME));
+    }
+    if study.model.cycles_of_wear().is_some() {
         return Ok(Err(IS_LIFE));
     }
     let columns: Vec<(usize, Reduction)> = plan.columns.iter().enumerate().filter_map(extreme).collect();

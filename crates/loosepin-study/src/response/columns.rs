@@ -1,8 +1,8 @@
 //! The columns of a study's response: every number that one run must deliver.
 
 use crate::file::{Ask, Deviation, Reduction, Requirement, Study};
+use crate::model::outputs::StudyOutput;
 use crate::places::{Location, LocationKey, RecordedPart};
-use crate::response::outputs::StudyOutput;
 use std::collections::HashMap;
 
 use loosepin_bounds::{Request, Statistic};

@@ -299,12 +299,7 @@ mod tests {
         let [round, point, replicate, index] = [0; 4];
         let (random, epistemic) = (Vec::new(), COEFFICIENTS_M2_N[1].to_vec());
         let batch = [RunInputs { round, purpose: Purpose::DoubleLoop, point, replicate, index, random, epistemic }];
-        let work = Work {
-            batch: &batch,
-            is_waiting: &[true],
-            response: &StudyResponse::Planar(Box::new(response)),
-            stop: &stop,
-        };
+        let work = Work { batch: &batch, is_waiting: &[true], response: &StudyResponse::of(response), stop: &stop };
         let rows = evaluate(&work, vec![None], &|| false, &|_, _| panic!("a row was kept"));
         assert!(rows.iter().all(Option::is_none));
     }

@@ -1,6 +1,7 @@
 //! A planar mechanism whose runs are integrated, as a function from uncertain inputs to numbers.
 
 use crate::file::{EpistemicSubject, MAX_POSES, Study};
+use crate::model::outputs::OutputSource;
 use crate::places::Pose;
 use crate::response::columns::ColumnPlan;
 #[cfg(test)]
@@ -8,7 +9,6 @@ use crate::response::extras::RunExtras;
 use crate::response::ideal_tables::IdealTables;
 use crate::response::input_targets::{InputTargets, in_the_middle};
 use crate::response::limits::{MAX_COLUMNS, MAX_LAWS, MAX_RECORDED_TURNS, MAX_TURNS};
-use crate::response::outputs::OutputSource;
 use crate::response::problem::PrepareError;
 use crate::response::recorder::{Shared, positions};
 use loosepin_math::sort_by_number;

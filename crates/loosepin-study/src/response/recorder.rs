@@ -4,8 +4,8 @@
 //! read by looking inside the steps.
 
 use crate::file::{Deviation, Reduction};
+use crate::model::outputs::OutputSource;
 use crate::response::columns::ColumnPlan;
-use crate::response::outputs::OutputSource;
 use loosepin_math::{Vec2, sort_ascending};
 use loosepin_mechanics::dynamics::Dynamics;
 use loosepin_mechanics::mechanism::SampleError;

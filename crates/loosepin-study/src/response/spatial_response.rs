@@ -10,6 +10,7 @@
 //! Where the places of the journals are drawn, both ends are what these places make.
 
 use crate::file::{Deviation, MAX_POSES, Reduction, Study};
+use crate::model::outputs::OutputSource;
 use crate::places::Location;
 use crate::response::columns::{ColumnPlan, StudyColumn};
 use crate::response::ends::{Ends, reduced};
@@ -17,7 +18,6 @@ use crate::response::extras::RunExtras;
 use crate::response::input_targets::{InputTargets, in_the_middle};
 use crate::response::limits::MAX_COLUMNS;
 use crate::response::linear_scatter::LinearScatter;
-use crate::response::outputs::OutputSource;
 use crate::response::planar_response::{POSE_ROUND_OFF, check_poses, check_turns};
 use crate::response::problem::PrepareError;
 use crate::response::recent_ends::{EndsOfSample, RecentEnds};
@@ -28,7 +28,7 @@ use loosepin_simulate::RunFailure;
 use loosepin_space::{
     AccuracyError, PlayDistribution, PlaySide, SampledPart, SamplingError, SpatialModel, TurnSample, TurnSampler,
 };
-use loosepin_text::numbers::{QuantityError, QuantityId, QuantityTable, Values};
+use loosepin_text::numbers::{QuantityError, QuantityId, Values};
 
 /// Standard deviations of the scatter that count where the place of an extreme is sought.
 const DEVIATIONS: f64 = 2.0;
@@ -47,7 +47,7 @@ pub struct SpatialResponse {
     /// Turns that are looked at.
     pub recorded_turns: f64,
     targets: InputTargets,
-    quantities: QuantityTable,
+    model: SpatialModel,
     sampler: TurnSampler,
     /// Places at which the motion is looked at, in turns, ascending.
     turns: Vec<f64>,
@@ -136,7 +136,7 @@ impl SpatialResponse {
             turns,
             grid,
             targets,
-            quantities: model.quantities.clone(),
+            model: model.clone(),
             plan,
             nominal,
             recorded_turns,
@@ -150,7 +150,7 @@ impl SpatialResponse {
     /// # Errors
     /// A value breaks its rule.
     pub fn values(&self, random: &[f64], epistemic: &[f64]) -> Result<Values, QuantityError> {
-        self.targets.values(&self.quantities, random, epistemic)
+        self.targets.values(&self.model.quantities, random, epistemic)
     }
 
     /// The row of a run: its columns, then its extras. Where journals are drawn and `random` ends before their numbers, they are in the middle.
@@ -198,8 +198,8 @@ impl SpatialResponse {
     }
 
     /// What random quantities do to first order, without play; `None` where nothing scatters or where it is not known.
-    pub fn linear_scatter(&self, study: &Study, model: &SpatialModel) -> Option<LinearScatter> {
-        LinearScatter::new(study, model, &self.turns, self.sampler.parts())
+    pub fn linear_scatter(&self, study: &Study) -> Option<LinearScatter> {
+        LinearScatter::new(study, &self.model, &self.turns, self.sampler.parts())
     }
 
     /// The variance of a column by each random quantity: at its pose; of an extreme of the cycle at the place where play and [`DEVIATIONS`] standard

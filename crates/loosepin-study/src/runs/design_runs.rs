@@ -13,7 +13,6 @@ use crate::runs::memory_at_hand::{MemoryAtHand, MemoryKind};
 use crate::runs::table::{ExtraColumns, RunColumn};
 use loosepin_bounds::{Problem, Purpose, RunInputs};
 use loosepin_mechanics::model::{PlayId, QuantityError, QuantityId, Values};
-use loosepin_simulate::SmallestClearance;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -160,7 +159,7 @@ impl DesignRuns {
         let mut joints: Vec<Vec<String>> = Vec::new();
         for (plays, runs) in self.by_plays(&batch, &rows) {
             let other;
-            let response = if plays == self.plays() {
+            let response = if plays == self.response.plays() {
                 &self.response
             } else {
                 match self.other(&plays, &batch[runs[0]]) {
@@ -208,9 +207,9 @@ impl DesignRuns {
         let mut groups: Vec<(Vec<PlayId>, Vec<usize>)> = Vec::new();
         for (run, inputs) in batch.iter().enumerate().filter(|(run, _)| made[*run].is_none()) {
             let values = self.response.values(&inputs.random, &inputs.epistemic).ok();
-            let plays = match self.study.model.planar().zip(values) {
-                Some((model, values)) => model.plays().filter(|&play| model.has_play(play, &values)).collect(),
-                None => self.plays().to_vec(),
+            let plays = match values {
+                Some(values) => self.study.model.plays_with_contact(&values),
+                None => self.response.plays().to_vec(),
             };
             match groups.iter_mut().find(|(known, _)| *known == plays) {
                 Some((_, runs)) => runs.push(run),
@@ -218,11 +217,6 @@ impl DesignRuns {
             }
         }
         groups
-    }
-
-    /// The joints with play of the model; none where nothing is integrated.
-    fn plays(&self) -> &[PlayId] {
-        self.response.planar().map_or(&[], |planar| &planar.mechanism().plays)
     }
 
     /// The study with the joints with play `plays`, which those of the run `inputs` are; compiled once.
@@ -293,10 +287,9 @@ impl DesignRuns {
         if !(speed_rad_s(&values) * speed_rad_s(self.response.nominal()) > 0.0) {
             return Judged::Refused("the drive stands still or turns the other way than in the model".to_owned());
         }
-        let Some((model, planar)) = self.study.model.planar().zip(self.response.planar()) else { return Judged::Fine };
-        let Some(smallest) = SmallestClearance::of(model, &values) else { return Judged::Fine };
+        let Some(smallest) = self.study.model.smallest_clearance(&values) else { return Judged::Fine };
         let clearance_m = smallest.clearance_m;
-        match smallest.check(planar.settings.tolerance_m) {
+        match smallest.check(self.study.sampling.tolerance_m) {
             Ok(None) => Judged::Fine,
             Ok(Some(warning)) => Judged::Coarse(clearance_m, warning.to_string()),
             Err(error) => Judged::Refused(error.to_string()),

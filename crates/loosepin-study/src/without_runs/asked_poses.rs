@@ -1,7 +1,7 @@
 //! Poses that a study asks about: what answers without dynamics is said of these places first.
 
 use crate::file::Study;
-use crate::response::outputs::{OutputSource, StudyOutput};
+use crate::model::outputs::{OutputSource, StudyOutput};
 use loosepin_result::study::PathError;
 use loosepin_simulate::accuracy::AskedPose;
 use loosepin_space::{PartOfOutput, SampledPart};

@@ -1,17 +1,13 @@
 //! The ideal motion of a file, with what its play and its scatter do to it without dynamics.
 
+use crate::model::MotionRequest;
 use crate::without_runs::judge::{Judgement, judge};
 use crate::written::input_file::InputFile;
-use loosepin_mechanics::mechanism::Mechanism;
 use loosepin_result::motion::MotionRecord;
 use loosepin_result::simulation::Drawing;
-use loosepin_simulate::accuracy::{
-    AskedPose, MotionPlan, Scatter, ScatterCorrelation, motion_until, motion_with_worst_cases_until,
-};
-use loosepin_simulate::controlled_drawing;
-use loosepin_simulate::record::Override;
+use loosepin_simulate::accuracy::{AskedPose, Scatter, ScatterCorrelation};
 use loosepin_text::diagnostics::Diagnostics;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 
 impl InputFile {
     /// The ideal motion over one turn in `positions` steps, in space in those of its file, with the quasi-static answer to first order; `set` are settings `path=value`. Clearances
@@ -28,10 +24,15 @@ impl InputFile {
     /// # Errors
     /// As for [`Self::ideal_motion`].
     pub fn drawn_motion(&self, positions: usize) -> Result<MotionRecord, Diagnostics> {
-        match self.model().spatial() {
-            Some(model) => model.drawn_motion_until(&model.quantities.nominal(), &|| false),
-            None => self.ideal_motion(positions, &[]),
-        }
+        self.model().drawn_motion(&self.request(positions, &[], &[], &AtomicBool::new(false)))
+    }
+
+    /// Whether the mechanism moves, looked at in `positions` steps of the turn or as shortly as that can be known.
+    ///
+    /// # Errors
+    /// As for [`Self::ideal_motion`].
+    pub fn try_to_move(&self, positions: usize) -> Result<(), Diagnostics> {
+        self.model().try_to_move(&self.request(positions, &[], &[], &AtomicBool::new(false)))
     }
 
     /// As [`Self::ideal_motion`], with the paths of the points called `paths`.
@@ -53,7 +54,17 @@ impl InputFile {
         paths: &[String],
         stop: &AtomicBool,
     ) -> Result<MotionRecord, Diagnostics> {
-        self.moved(positions, set, paths, false, stop)
+        self.model().motion(&self.request(positions, set, paths, stop))
+    }
+
+    /// The same, and what is wrong although there is a motion: it is without what scatters, where that alone has no answer.
+    pub fn ideal_motion_with_findings(
+        &self,
+        positions: usize,
+        paths: &[String],
+        stop: &AtomicBool,
+    ) -> (Option<MotionRecord>, Diagnostics) {
+        self.model().motion_with_findings(&self.request(positions, &[], paths, stop))
     }
 
     /// As [`Self::ideal_motion`], with worst cases of the play, the largest found and proven ends, with the requirements of a study
@@ -68,7 +79,8 @@ impl InputFile {
         paths: &[String],
         stop: &AtomicBool,
     ) -> Result<MotionRecord, Diagnostics> {
-        let mut record = self.moved(positions, set, paths, true, stop)?;
+        let request = MotionRequest { has_worst_cases: true, ..self.request(positions, set, paths, stop) };
+        let mut record = self.model().motion(&request)?;
         if let InputFile::Study(study) = self {
             let Judgement { requirements, allowances } = judge(study, positions, set, stop)?;
             (record.requirements, record.allowances) = (requirements, allowances);
@@ -76,46 +88,34 @@ impl InputFile {
         Ok(record)
     }
 
-    fn moved(
+    /// What is asked of the motion, without worst cases.
+    fn request<'r>(
         &self,
         positions: usize,
         set: &[String],
-        paths: &[String],
-        has_worst_cases: bool,
-        stop: &AtomicBool,
-    ) -> Result<MotionRecord, Diagnostics> {
-        if let Some(model) = self.model().spatial() {
-            let is_stopped = || stop.load(Ordering::Relaxed);
-            return self.moved_in_space(model, set, paths, has_worst_cases, &is_stopped);
-        }
-        let model = self.model().demand_planar()?;
-        let settings = self.with_widest_play(set);
-        let set = model.set_values(&settings)?;
-        let paths = model.points_of_paths(paths)?;
-        let mechanism = Mechanism::new(&set.model, &set.values).map_err(|error| error.diagnostic(model))?;
-        let plan = MotionPlan {
-            span: model.cycle.span,
+        paths: &'r [String],
+        stop: &'r AtomicBool,
+    ) -> MotionRequest<'r> {
+        MotionRequest {
             positions,
+            settings: self.with_widest_play(set),
+            paths,
             scatter: self.scatter(),
             correlations: self.linear_correlations(),
-            paths,
             asked: self.asked_poses(),
-            overrides: Override::from_settings(&settings),
-        };
-        let motion = if has_worst_cases { motion_with_worst_cases_until } else { motion_until };
-        Ok(motion(&mechanism, &set.values, &plan, stop).map_err(|error| error.diagnostic(model))?)
+            asked_span: match self {
+                InputFile::Model(model) => model.cycle().span,
+                InputFile::Study(study) => study.cycle.span,
+            },
+            has_worst_cases: false,
+            stop,
+        }
     }
 
     /// The mechanism over one cycle where actuators move it, so that it has no ideal motion; `None` if drives alone do, or where it
     /// cannot be followed.
     pub fn controlled_drawing(&self, positions: usize) -> Option<Drawing> {
-        let model = self.model().planar()?;
-        let set = model.set_values(&self.with_widest_play(&[])).ok()?;
-        let mechanism = Mechanism::new(&set.model, &set.values).ok()?;
-        if mechanism.is_driven() {
-            return None;
-        }
-        controlled_drawing(&mechanism, &set.values, positions).ok()
+        self.model().controlled_drawing(&self.with_widest_play(&[]), positions)
     }
 
     /// Settings of the most play, if play is uncertain in a study: the worst case is taken there; `set` has priority.
@@ -128,7 +128,7 @@ impl InputFile {
     }
 
     /// Poses that are asked about, where the file is a study.
-    pub(super) fn asked_poses(&self) -> Vec<AskedPose> {
+    fn asked_poses(&self) -> Vec<AskedPose> {
         match self {
             InputFile::Model(_) => Vec::new(),
             InputFile::Study(study) => study.asked_poses(),
@@ -136,7 +136,7 @@ impl InputFile {
     }
 
     /// Linear correlations of random inputs, where the file is a study.
-    pub(super) fn linear_correlations(&self) -> Vec<ScatterCorrelation> {
+    fn linear_correlations(&self) -> Vec<ScatterCorrelation> {
         match self {
             InputFile::Model(_) => Vec::new(),
             InputFile::Study(study) => study.linear_correlations(),
@@ -144,7 +144,7 @@ impl InputFile {
     }
 
     /// Random inputs, where the file is a study.
-    pub(super) fn scatter(&self) -> Vec<Scatter> {
+    fn scatter(&self) -> Vec<Scatter> {
         match self {
             InputFile::Model(_) => Vec::new(),
             InputFile::Study(study) => study

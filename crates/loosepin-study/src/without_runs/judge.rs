@@ -5,16 +5,13 @@
 //! 1 - Σ (1 - p_i) of all mechanisms are within them, p_i being the probability of one input, however the inputs go together.
 
 use crate::file::{Allowance, AllowedInput, Requirement, Study};
+use crate::model::outputs::OutputSource;
+use crate::model::{DeviationProofs, ProvenDeviations, StudyModel};
 use crate::response::input_limits::{DEVIATIONS, InputLimits};
-use crate::response::outputs::OutputSource;
-use loosepin_mechanics::mechanism::Mechanism;
-use loosepin_mechanics::model::{Model, Position, QuantityId, Values};
+use loosepin_mechanics::model::{Position, QuantityId, Values};
 use loosepin_result::motion::{MotionAllowance, MotionRequirement, MotionVerdict};
 use loosepin_result::study::{Deviation, PathError};
-use loosepin_simulate::accuracy::{
-    AccuracyError, AllDeviationEnds, DeviationEnds, DeviationQuestion, DimensionLimit, deviation_ends_until,
-    dimension_direction,
-};
+use loosepin_simulate::accuracy::{AccuracyError, AllDeviationEnds, DeviationEnds, DeviationQuestion, DimensionLimit};
 use loosepin_text::diagnostics::Diagnostics;
 use loosepin_text::units::SiUnit;
 use std::sync::atomic::AtomicBool;
@@ -23,13 +20,14 @@ use std::sync::atomic::AtomicBool;
 const HALVINGS: usize = 7;
 
 /// Judgement of a requirement.
+#[derive(Default)]
 pub(crate) struct Judgement {
     pub requirements: Vec<MotionRequirement>,
     pub allowances: Vec<MotionAllowance>,
 }
 
-/// Judges what `study` requires over its turn in `positions` steps, until `stop` is set; inputs that `set` names have that value. In space
-/// nothing is judged without runs.
+/// Judges what `study` requires over its turn in `positions` steps, until `stop` is set; inputs that `set` names have that value. Where the
+/// model has no proofs, nothing is judged.
 ///
 /// # Errors
 /// As for [`super::InputFile::ideal_motion`]; that it was stopped.
@@ -39,16 +37,18 @@ pub(crate) fn judge(
     set: &[String],
     stop: &AtomicBool,
 ) -> Result<Judgement, Diagnostics> {
-    let Some(model) = study.model.planar().filter(|_| !study.requirements.is_empty()) else {
-        return Ok(Judgement { requirements: Vec::new(), allowances: Vec::new() });
+    let Some(own) = study.model.deviation_proofs().filter(|_| !study.requirements.is_empty()) else {
+        return Ok(Judgement::default());
     };
-    let set_values = model.set_values(set)?;
+    let mut model = study.model.clone();
+    let values = &model.take_settings(set)?;
+    let Some(proofs) = model.deviation_proofs() else { return Ok(Judgement::default()) };
     let is_set = |path: &str| set.iter().any(|text| text.split_once('=').is_some_and(|(own, _)| own.trim() == path));
     let mut limits = study.input_limits();
     limits.retain(|input| !is_set(&input.path));
-    let judge = Judge { study, model: &set_values.model, values: &set_values.values, positions, stop };
-    let requirements = judge.requirements(&limits).map_err(|error| error.diagnostic(model))?;
-    let allowances = judge.allowances(&limits).map_err(|error| error.diagnostic(model))?;
+    let judge = Judge { study, model: &model, proofs, values, positions, stop };
+    let requirements = judge.requirements(&limits).map_err(|error| own.diagnostic(&error))?;
+    let allowances = judge.allowances(&limits).map_err(|error| own.diagnostic(&error))?;
     Ok(Judgement { requirements, allowances })
 }
 
@@ -81,14 +81,16 @@ pub(super) fn proven_over_turn(
     questions: &[DeviationQuestion],
 ) -> Option<Vec<DeviationEnds>> {
     let stop = &AtomicBool::new(false);
-    let judge = Judge { study, model: study.model.planar()?, values, positions, stop };
+    let model = &study.model;
+    let judge = Judge { study, model, proofs: model.deviation_proofs()?, values, positions, stop };
     let WithinLimits { ends, reason, .. } = judge.within_limits(&study.input_limits(), questions).ok()?;
     reason.is_none().then_some(ends.of_questions)
 }
 
 struct Judge<'s> {
     study: &'s Study,
-    model: &'s Model,
+    model: &'s StudyModel,
+    proofs: &'s dyn DeviationProofs,
     values: &'s Values,
     positions: usize,
     stop: &'s AtomicBool,
@@ -102,33 +104,24 @@ impl Judge<'_> {
         questions: &[DeviationQuestion],
     ) -> Result<WithinLimits, AccuracyError> {
         let (values, mut reason) = self.with_most_play(limits);
-        let mechanism = Mechanism::new(self.model, &values).map_err(|_| AccuracyError::NotDriven)?;
-        let mut miss = 0.0;
-        let mut dimensions = Vec::new();
-        for input in limits {
-            let away =
+        let dimensions = limits.iter().map(|input| {
+            let most_si =
                 f64::max((input.low_si - values[input.quantity]).abs(), (input.high_si - values[input.quantity]).abs());
+            DimensionLimit { quantity: input.quantity, most_si }
+        });
+        let dimensions: Vec<DimensionLimit> = dimensions.collect();
+        let turn = (self.study.cycle.span, self.positions);
+        let ProvenDeviations { moves, ends } = self.proofs.prove(&values, turn, &dimensions, questions, self.stop)?;
+        let mut miss = 0.0;
+        for (input, moves) in limits.iter().zip(moves) {
             let decides_play = self.study.model.has_play_from(input.quantity);
-            let moves = match dimension_direction(&mechanism, &values, input.quantity) {
-                Ok(direction) => !direction.leaves_motion_alone(&mechanism),
-                Err(_) => false,
-            };
             if moves && decides_play {
                 reason.get_or_insert_with(|| format!("{} decides a play and a length", input.path));
             }
             if moves || decides_play {
                 miss += 1.0 - input.share;
             }
-            if moves {
-                dimensions.push(DimensionLimit { quantity: input.quantity, most_si: away });
-            }
         }
-        let ends = if questions.is_empty() {
-            AllDeviationEnds { of_questions: Vec::new(), unproven: None, is_whole_turn: true }
-        } else {
-            let turn = (self.study.cycle.span, self.positions);
-            deviation_ends_until(&mechanism, &values, turn, (&dimensions, questions), self.stop)?
-        };
         let reason = reason
             .or_else(|| ends.unproven.clone())
             .or_else(|| (!ends.is_whole_turn).then(|| "the mechanism does not go through its whole turn".to_owned()));
@@ -248,7 +241,7 @@ impl Judge<'_> {
 
     /// The numbers of the model with every clearance as large as `limits` allow, and why they cannot be had.
     fn with_most_play(&self, limits: &[InputLimits]) -> (Values, Option<String>) {
-        let table = &self.model.quantities;
+        let table = self.model.quantities();
         let mut set: Vec<(QuantityId, f64)> =
             table.iter().filter(|(_, quantity)| quantity.is_settable()).map(|(id, _)| (id, self.values[id])).collect();
         let with = |set: &[(QuantityId, f64)], id: QuantityId, value: f64| {
@@ -260,7 +253,7 @@ impl Judge<'_> {
         for input in limits {
             let sum = |value: f64| {
                 let values = with(&set, input.quantity, value)?;
-                Some(self.model.play_from(input.quantity).map(|(_, clearance)| values[clearance]).sum::<f64>())
+                Some(self.model.play_from(input.quantity).iter().map(|play| values[play.quantity]).sum::<f64>())
             };
             if !self.study.model.has_play_from(input.quantity) {
                 continue;
@@ -293,7 +286,7 @@ impl Judge<'_> {
                 (&self.study.random[input].path, self.study.random[input].quantity())
             }
         };
-        let unit = quantity.map_or(SiUnit::NONE, |id| SiUnit::of_dimension(self.model.quantities[id].dimension));
+        let unit = quantity.map_or(SiUnit::NONE, |id| SiUnit::of_dimension(self.model.quantities()[id].dimension));
         let mut answer = MotionAllowance {
             path: path.clone(),
             unit,

@@ -4,5 +4,4 @@ pub(crate) mod asked_poses;
 pub(crate) mod ideal_motion;
 pub(crate) mod judge;
 pub(crate) mod proven_ends;
-pub(crate) mod spatial_motion;
 pub(crate) mod widest_play;

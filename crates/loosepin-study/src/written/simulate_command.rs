@@ -67,7 +67,7 @@ fn command(study: &Study, model_path: &str, settings: &[String]) -> String {
     let path = |text: &str| text.split_once('=').map_or(text, |(path, _)| path).trim().to_owned();
     let of_study = study.settings().iter().filter(|own| settings.iter().all(|set| path(set) != path(own)));
     let set: String = of_study.chain(settings).map(|setting| format!(" --set \"{setting}\"")).collect();
-    if study.model.spatial().is_some() {
+    if !study.model.has_dynamics() {
         return format!("loosepin motion {}{set}", shell_word(model_path));
     }
     format!(

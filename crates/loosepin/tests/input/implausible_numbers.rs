@@ -400,7 +400,7 @@ fn no_case_and_no_template_has_such_a_number() {
         let Ok(file) = InputFile::from_path(&path) else { panic!("{}", path.display()) };
         assert_eq!(still(&file), Vec::<String>::new(), "{}", path.display());
         let InputFile::Model(model) = file else { panic!("{}", path.display()) };
-        let Some(model) = model.planar() else {
+        let Ok(model) = model.demand_planar() else {
             assert!(model.warnings().is_empty(), "{}: {:?}", path.display(), model.warnings());
             continue;
         };

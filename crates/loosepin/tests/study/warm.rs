@@ -75,7 +75,7 @@ fn a_fit_of_a_warm_joint_is_that_of_its_drawing() {
     // What no body states for itself cannot be set for it.
     let hint = study
         .model
-        .planar()
+        .demand_planar()
         .expect("planar")
         .parse_setting("body.rod.temperature_rise=10K")
         .expect_err("the rod states none")

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use loosepin::diagnostics::Diagnostics;
-use loosepin::mechanism::{Mechanism, MechanismError};
+use loosepin::mechanism::MechanismError;
 use loosepin::model::Model;
 use loosepin::study::{InputFile, Study};
 use loosepin::units::counted;
@@ -250,9 +250,9 @@ pub fn said(before: &Texts, texts: &Texts) -> LibraryFindings {
 
 /// Why a mechanism does not move, in words: first how many degrees of freedom are too many or too few.
 pub fn why_not(file: &InputFile, found: &Diagnostics) -> String {
-    let Some(model) = file.model().planar() else { return found.to_string() };
+    let Some(check) = file.model().mobility_check() else { return found.to_string() };
     let bodies = |names: &[String]| names.iter().map(|name| format!("'{name}'")).collect::<Vec<_>>().join(", ");
-    match Mechanism::new(model, &model.quantities.nominal()) {
+    match check {
         Err(MechanismError::TooFewDrives { mobility, drives, undetermined }) => {
             let surplus = counted(mobility.saturating_sub(drives), "degree");
             format!(

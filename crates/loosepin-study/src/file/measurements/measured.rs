@@ -128,7 +128,7 @@ impl StudyReader {
         written: Option<&Entry<'_>>,
         cycle: &Cycle,
     ) -> (Vec<Measured>, Vec<MeasuredMotion>) {
-        if let Some(entry) = written.filter(|_| self.model.spatial().is_some()) {
+        if let Some(entry) = written.filter(|_| !self.model.takes_readings()) {
             self.reader.report(&MeasuredProblem::InSpace, entry.key_span);
             return (Vec::new(), Vec::new());
         }
@@ -305,15 +305,7 @@ impl StudyReader {
         if !text.contains('.') {
             return self.refused(&MeasuredProblem::NotAPoint { entry: entry.path.describe(), found: text }, entry.span);
         }
-        let bodies = self.model.planar().into_iter().flat_map(|model| &model.bodies).enumerate();
-        let all: Vec<(String, PointId)> = bodies
-            .flat_map(|(body, known)| {
-                let points = known.points.iter().enumerate();
-                points.map(move |(point, named)| {
-                    (format!("{}.{}", known.name, named.name), PointId { body: BodyId(body), point })
-                })
-            })
-            .collect();
+        let all = self.model.points_to_push();
         let Some((_, point)) = all.iter().find(|(name, _)| *name == text) else {
             let nearest = nearest_name(&text, all.iter().map(|(name, _)| name.as_str())).map(str::to_owned);
             let known = all.iter().map(|(name, _)| format!("'{name}'")).collect();

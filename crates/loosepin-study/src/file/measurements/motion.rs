@@ -6,7 +6,7 @@ use crate::file::measurements::measurement::{
 use crate::file::problem::StudyProblem;
 use crate::file::reader::{StudyReader, adopt};
 use crate::file::words::{DEVIATIONS, words};
-use crate::response::outputs::OutputSource;
+use crate::model::outputs::OutputSource;
 use crate::response::sampled_feature::sampled_feature;
 use loosepin_mechanics::model::Cycle;
 use loosepin_result::simulation::Abscissa;

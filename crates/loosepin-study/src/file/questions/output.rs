@@ -3,7 +3,7 @@
 use crate::file::problem::StudyProblem;
 use crate::file::reader::StudyReader;
 use crate::file::words::{DEVIATIONS, words};
-use crate::response::outputs::{ALL_COMPONENTS, OutputSource, StudyOutput};
+use crate::model::outputs::{ALL_COMPONENTS, HEIGHT, OutputSource, StudyOutput};
 use loosepin_mechanics::model::WearMeasure;
 use loosepin_result::study::Deviation;
 use loosepin_text::diagnostics::nearest_name;
@@ -59,8 +59,8 @@ impl StudyReader {
             if components.len() == 1 {
                 return self.outputs.iter().position(|output| output.output == index);
             }
-            let is_in_space = self.model.spatial().is_some();
-            let problem = StudyProblem::PathOutput { entry: table.path.describe(), name, is_in_space };
+            let has_height = components.contains(&HEIGHT);
+            let problem = StudyProblem::PathOutput { entry: table.path.describe(), name, has_height };
             return self.refused(&problem, entry.span);
         };
         let choices: Vec<(&str, &'static str)> = components.iter().map(|&name| (name, name)).collect();

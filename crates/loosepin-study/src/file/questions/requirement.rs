@@ -188,7 +188,7 @@ impl StudyReader {
 
     /// The cycles after which wear is stated; `None` if they are an input, of which each run has its own.
     fn cycles_of_wear(&self) -> Option<f64> {
-        let cycles = self.model.planar()?.wear?.cycles;
+        let cycles = self.model.cycles_of_wear()?;
         let is_input = self.random.iter().any(|input| input.quantity() == Some(cycles))
             || self.epistemic.iter().any(|input| input.quantity() == Some(cycles));
         (!is_input).then(|| self.model.quantities().nominal()[cycles])

@@ -3,11 +3,10 @@
 use super::subjects::Subject;
 use crate::assemble::Material;
 use crate::response::linear_scatter::LinearScatter;
-use crate::response::spatial_response::SpatialResponse;
 use crate::response::study_response::StudyResponse;
 use loosepin_bounds::{PinchedEnd, Pinching};
 use loosepin_result::motion::{MotionRecord, NamedEffect, OutputMotion, PoseEffect};
-use loosepin_simulate::accuracy::{AskedPose, MotionPlan, Scatter, motion};
+use loosepin_simulate::accuracy::{AskedPose, MotionPlan, Scatter};
 
 /// Positions of the quasi-static answer in a turn.
 const POSITIONS: usize = 72;
@@ -16,9 +15,9 @@ const SAME_ANGLE_RAD: f64 = 1e-9;
 
 /// The answer without dynamics with the unknown values in the middle.
 pub enum WithoutDynamics {
-    /// The ideal motion of a planar mechanism, with the poses of the subjects.
+    /// The ideal motion, with the poses of the subjects.
     Motion(Box<MotionRecord>),
-    /// The scatter of a mechanism in space.
+    /// The scatter of a mechanism that has no runs.
     Scatter(LinearScatter),
     /// A mechanism that has neither.
     Nothing,
@@ -33,55 +32,48 @@ pub struct Effects<'r> {
     /// Sum of the effects of all joints.
     of_all_joints: f64,
     /// A mechanism without dynamics, so that there is nothing else: its numbers where no part scatters.
-    pub without_scatter: Option<&'r SpatialResponse>,
+    pub without_scatter: Option<&'r StudyResponse>,
 }
 
 impl WithoutDynamics {
     /// Of the study, with the poses of `subjects`.
     pub fn new(material: &Material<'_>, subjects: &[Subject]) -> Self {
         let study = material.study;
-        match material.response {
-            // Places of journals that are drawn add a variance that is no part of this.
-            StudyResponse::Spatial(_) if study.journals.is_some() => Self::Nothing,
-            StudyResponse::Spatial(response) => {
-                let scatter = study.model.spatial().and_then(|model| response.linear_scatter(study, model));
-                scatter.map_or(Self::Nothing, Self::Scatter)
-            }
-            StudyResponse::Planar(response) => {
-                let scatter = study.random.iter().filter_map(|input| {
-                    let standard_deviation_si = input.variable.standard_deviation();
-                    Some(Scatter { quantity: input.quantity()?, standard_deviation_si })
-                });
-                let asked = subjects.iter().filter_map(|subject| {
-                    let pose_rad = subject.pose_rad(material.plan())?;
-                    Some(AskedPose { output: name(material, subject), pose_rad, is_required: false })
-                });
-                let plan = MotionPlan {
-                    span: study.cycle.span,
-                    positions: POSITIONS,
-                    scatter: scatter.collect(),
-                    correlations: study.linear_correlations(),
-                    paths: Vec::new(),
-                    asked: asked.collect(),
-                    overrides: Vec::new(),
-                };
-                let record = motion(response.mechanism(), material.response.nominal(), &plan);
-                record.map_or(Self::Nothing, |record| Self::Motion(Box::new(record)))
-            }
+        if let Some(scatter) = material.response.linear_scatter(study) {
+            return Self::Scatter(scatter);
         }
+        let scatter = study.random.iter().filter_map(|input| {
+            let standard_deviation_si = input.variable.standard_deviation();
+            Some(Scatter { quantity: input.quantity()?, standard_deviation_si })
+        });
+        let asked = subjects.iter().filter_map(|subject| {
+            let pose_rad = subject.pose_rad(material.plan())?;
+            Some(AskedPose { output: name(material, subject), pose_rad, is_required: false })
+        });
+        let plan = MotionPlan {
+            span: study.cycle.span,
+            positions: POSITIONS,
+            scatter: scatter.collect(),
+            correlations: study.linear_correlations(),
+            paths: Vec::new(),
+            asked: asked.collect(),
+            overrides: Vec::new(),
+        };
+        material.response.nominal_motion(&plan).map_or(Self::Nothing, |record| Self::Motion(Box::new(record)))
     }
 
     /// The effects on a subject; `None` if the answer does not know it.
     pub fn effects<'r>(&self, material: &Material<'r>, subject: &Subject) -> Option<Effects<'r>> {
-        match (self, material.response) {
-            (Self::Motion(record), _) => {
+        match self {
+            Self::Motion(record) => {
                 let name = name(material, subject);
                 match subject.pose_rad(material.plan()) {
                     Some(pose_rad) => record.asked_of(&name).find(|own| own.pose_rad == pose_rad).map(of_pose),
                     None => record.outputs.iter().find(|own| own.name == name).map(|own| over_the_turn(record, own)),
                 }
             }
-            (Self::Scatter(scatter), StudyResponse::Spatial(response)) => {
+            Self::Scatter(scatter) => {
+                let response = material.response;
                 let mut variances = vec![0.0; scatter.paths.len()];
                 for &column in &subject.columns {
                     let own = response.variances(scatter, column);
@@ -91,7 +83,7 @@ impl WithoutDynamics {
                 let variances = named.map(|(name, value_si)| NamedEffect { name: name.clone(), value_si }).collect();
                 Some(Effects { variances, joints: Vec::new(), of_all_joints: 0.0, without_scatter: Some(response) })
             }
-            (Self::Scatter(_) | Self::Nothing, _) => None,
+            Self::Nothing => None,
         }
     }
 }
@@ -148,7 +140,7 @@ impl Effects<'_> {
     pub fn scatter(&self, columns: &[usize], pinching: &Pinching) -> Option<f64> {
         let response = self.without_scatter?;
         let of_end = |column: usize, end: &PinchedEnd| {
-            let row = response.without_scatter(&end.epistemic).ok()?;
+            let row = response.without_scatter(&end.epistemic)?;
             Some((end.quantile - row[column]).abs())
         };
         let ends = columns.iter().zip(&pinching.ends);

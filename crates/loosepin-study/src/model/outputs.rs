@@ -77,6 +77,9 @@ impl OutputSource {
     }
 }
 
+/// The coordinate that a path has in space alone.
+pub const HEIGHT: &str = "z";
+
 /// The names of a path's parts in study files: coordinates, then parts of the error.
 pub const COMPONENTS: [&str; 6] = {
     let mut names = ["x", "y", "", "", "", ""];
@@ -96,7 +99,7 @@ pub const ALL_COMPONENTS: [&str; 8] = {
         names[place] = COMPONENTS[place];
         place += 1;
     }
-    names[COMPONENTS.len()] = "z";
+    names[COMPONENTS.len()] = HEIGHT;
     names[COMPONENTS.len() + 1] = "across";
     names
 };

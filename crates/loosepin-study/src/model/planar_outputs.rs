@@ -1,23 +1,13 @@
-//! All that can be asked of a model.
+//! All that can be asked of a model in the plane.
 
 use super::outputs::{COMPONENTS, OutputSource, StudyOutput};
-use super::spatial_outputs::spatial_outputs;
-use crate::model::StudyModel;
 use loosepin_mechanics::model::Model;
 use loosepin_result::study::PathError;
 use loosepin_simulate::{columns, relative_words};
 use loosepin_text::units::SiUnit;
 
-/// All that can be asked of a model, in file order; of a path each of its parts.
-pub fn study_outputs(model: &StudyModel) -> Vec<StudyOutput> {
-    match model {
-        StudyModel::Planar(model) => planar_outputs(model),
-        StudyModel::Spatial(model) => spatial_outputs(model),
-    }
-}
-
-/// Outputs of a planar model; of a path in the order of [`COMPONENTS`].
-fn planar_outputs(model: &Model) -> Vec<StudyOutput> {
+/// All that can be asked, in file order; of a path each of its parts, in the order of [`COMPONENTS`], then its errors.
+pub(super) fn planar_outputs(model: &Model) -> Vec<StudyOutput> {
     let mut outputs = Vec::new();
     let columns = columns(model);
     for (index, output) in model.outputs.iter().enumerate() {
