@@ -8,6 +8,7 @@
 //! | tables | `read.rs` (the file), `body.rs`, `joint.rs`, `drive.rs` (with the cycle), `output.rs`, `assembly.rs` |
 //! | from values to a mechanism; where its bodies start | `compile.rs`; `placing.rs` |
 //! | its motion over a turn, with worst cases; what play does to an output | `over_turn.rs`; `course.rs` |
+//! | the path of a point, and how far play takes it | `by_play/` |
 //! | what random dimensions do to it | `scatter.rs` |
 //! | numbers that are round-off | `round_off.rs` |
 //! | whether its parts fit | `fit.rs` |
@@ -18,6 +19,7 @@
 
 mod assembly;
 mod body;
+mod by_play;
 mod compile;
 mod course;
 pub(crate) mod direction;

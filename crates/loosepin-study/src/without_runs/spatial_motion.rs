@@ -6,7 +6,7 @@ use loosepin_result::motion::{
 };
 use loosepin_result::simulation::Override;
 use loosepin_simulate::accuracy::AskedPose;
-use loosepin_space::{IsStopped, SpatialModel, SpatialMotionProblem, SpatialScatter, SpatialScatterPlan};
+use loosepin_space::{IsStopped, PointId, SpatialModel, SpatialScatter, SpatialScatterPlan};
 use loosepin_text::diagnostics::Diagnostics;
 use loosepin_text::numbers::QuantityId;
 use std::f64::consts::TAU;
@@ -17,7 +17,7 @@ impl InputFile {
     /// can be.
     ///
     /// # Errors
-    /// Those of [`Self::play_in_space`] and of [`Self::add_scatter`]; paths of points.
+    /// Those of [`Self::play_in_space`] and of [`Self::add_scatter`]; a path of a point that the model does not have, or that has no answer.
     pub(super) fn moved_in_space(
         &self,
         model: &SpatialModel,
@@ -26,10 +26,8 @@ impl InputFile {
         is_proven: bool,
         is_stopped: IsStopped,
     ) -> Result<MotionRecord, Diagnostics> {
-        if !paths.is_empty() {
-            return Err(Diagnostics::one(&SpatialMotionProblem::OptionNotInSpace { option: "--path" }, None));
-        }
-        let mut record = self.play_in_space(model, set, is_proven, is_stopped)?;
+        let points = model.points_of_paths(paths)?;
+        let mut record = self.play_with_paths(model, set, &points, is_proven, is_stopped)?;
         self.add_scatter(model, set, &mut record, is_stopped)?;
         Ok(record)
     }
@@ -45,9 +43,21 @@ impl InputFile {
         is_proven: bool,
         is_stopped: IsStopped,
     ) -> Result<MotionRecord, Diagnostics> {
+        self.play_with_paths(model, set, &[], is_proven, is_stopped)
+    }
+
+    /// The same with the paths of points.
+    fn play_with_paths(
+        &self,
+        model: &SpatialModel,
+        set: &[String],
+        points: &[PointId],
+        is_proven: bool,
+        is_stopped: IsStopped,
+    ) -> Result<MotionRecord, Diagnostics> {
         let settings = self.with_widest_play(set);
         let values = self.model().spatial_values(&settings)?;
-        let record = model.motion_record_until(&values, is_proven, is_stopped)?;
+        let record = model.motion_with_paths_until(&values, points, is_proven, is_stopped)?;
         Ok(MotionRecord { overrides: Override::from_settings(&settings), ..record })
     }
 
