@@ -68,28 +68,23 @@ impl InputFile {
         paths: &[String],
         stop: &AtomicBool,
     ) -> Result<MotionRecord, Diagnostics> {
-        let mut record = self.moved(positions, set, paths, true, stop)?;
-        if let InputFile::Study(study) = self {
-            let Judgement { requirements, allowances } = judge(study, positions, set, stop)?;
-            (record.requirements, record.allowances) = (requirements, allowances);
-        }
-        Ok(record)
+        self.moved(positions, set, paths, true, stop)
     }
 
     fn moved(
         &self,
         positions: usize,
-        set: &[String],
+        given: &[String],
         paths: &[String],
         has_worst_cases: bool,
         stop: &AtomicBool,
     ) -> Result<MotionRecord, Diagnostics> {
         if let Some(model) = self.model().spatial() {
             let is_stopped = || stop.load(Ordering::Relaxed);
-            return self.moved_in_space(model, set, paths, has_worst_cases, &is_stopped);
+            return self.moved_in_space(model, given, paths, has_worst_cases, &is_stopped);
         }
         let model = self.model().demand_planar()?;
-        let settings = self.with_widest_play(set);
+        let settings = self.with_widest_play(given);
         let set = model.set_values(&settings)?;
         let paths = model.points_of_paths(paths)?;
         let mechanism = Mechanism::new(&set.model, &set.values).map_err(|error| error.diagnostic(model))?;
@@ -103,7 +98,14 @@ impl InputFile {
             overrides: Override::from_settings(&settings),
         };
         let motion = if has_worst_cases { motion_with_worst_cases_until } else { motion_until };
-        Ok(motion(&mechanism, &set.values, &plan, stop).map_err(|error| error.diagnostic(model))?)
+        let mut record = motion(&mechanism, &set.values, &plan, stop).map_err(|error| error.diagnostic(model))?;
+        if let InputFile::Study(study) = self
+            && has_worst_cases
+        {
+            let Judgement { requirements, allowances } = judge(study, model, positions, given, stop)?;
+            (record.requirements, record.allowances) = (requirements, allowances);
+        }
+        Ok(record)
     }
 
     /// The mechanism over one cycle where actuators move it, so that it has no ideal motion; `None` if drives alone do, or where it

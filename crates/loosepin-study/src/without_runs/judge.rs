@@ -28,28 +28,33 @@ pub(crate) struct Judgement {
     pub allowances: Vec<MotionAllowance>,
 }
 
-/// Judges what `study` requires over its turn in `positions` steps, until `stop` is set; inputs that `set` names have that value. In space
-/// nothing is judged without runs.
+/// Judges what `study` requires of `model`, which is its own, over its turn in `positions` steps, until `stop` is set; inputs that `set` names have
+/// that value.
 ///
 /// # Errors
 /// As for [`super::InputFile::ideal_motion`]; that it was stopped.
 pub(crate) fn judge(
     study: &Study,
+    model: &Model,
     positions: usize,
     set: &[String],
     stop: &AtomicBool,
 ) -> Result<Judgement, Diagnostics> {
-    let Some(model) = study.model.planar().filter(|_| !study.requirements.is_empty()) else {
+    if study.requirements.is_empty() {
         return Ok(Judgement { requirements: Vec::new(), allowances: Vec::new() });
-    };
+    }
     let set_values = model.set_values(set)?;
-    let is_set = |path: &str| set.iter().any(|text| text.split_once('=').is_some_and(|(own, _)| own.trim() == path));
-    let mut limits = study.input_limits();
-    limits.retain(|input| !is_set(&input.path));
+    let limits = limits_unless_set(study, set);
     let judge = Judge { study, model: &set_values.model, values: &set_values.values, positions, stop };
     let requirements = judge.requirements(&limits).map_err(|error| error.diagnostic(model))?;
     let allowances = judge.allowances(&limits).map_err(|error| error.diagnostic(model))?;
     Ok(Judgement { requirements, allowances })
+}
+
+/// The limits of all inputs but those that `set` gives a value.
+pub(super) fn limits_unless_set(study: &Study, set: &[String]) -> Vec<InputLimits> {
+    let is_set = |path: &str| set.iter().any(|text| text.split_once('=').is_some_and(|(own, _)| own.trim() == path));
+    study.input_limits().into_iter().filter(|input| !is_set(&input.path)).collect()
 }
 
 /// Index of the positions of a requirement among the questions.

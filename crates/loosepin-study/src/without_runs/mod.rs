@@ -3,6 +3,7 @@
 pub(crate) mod asked_poses;
 pub(crate) mod ideal_motion;
 pub(crate) mod judge;
+mod judge_in_space;
 pub(crate) mod proven_ends;
 pub(crate) mod spatial_motion;
 pub(crate) mod widest_play;

@@ -14,7 +14,7 @@ use std::f64::consts::TAU;
 impl InputFile {
     /// The motion over the turn of `model`, the one of this file, with the worst cases of its play and what random inputs of a study do; `set` are
     /// settings `path=value`. Clearances that are uncertain are taken where there is most play. Ends of worst cases are proven where that is asked, and
-    /// can be.
+    /// can be; the requirements of a study are then judged by them.
     ///
     /// # Errors
     /// Those of [`Self::play_in_space`] and of [`Self::add_scatter`]; a path of a point that the model does not have, or that has no answer.
@@ -29,6 +29,9 @@ impl InputFile {
         let points = model.points_of_paths(paths)?;
         let mut record = self.play_with_paths(model, set, &points, is_proven, is_stopped)?;
         self.add_scatter(model, set, &mut record, is_stopped)?;
+        if is_proven {
+            record.requirements = self.judged_in_space(model, set, is_stopped)?;
+        }
         Ok(record)
     }
 
