@@ -14,7 +14,7 @@ use loosepin_space::{SpatialModel, is_spatial, refuse_without_geometry};
 use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Place, Source};
 use loosepin_text::document::parse_toml;
 use loosepin_text::numbers::QuantityTable;
-use loosepin_text::units::{Dimension, DisplayUnits};
+use loosepin_text::units::{Dimension, DisplayUnits, SiUnit};
 use std::sync::Arc;
 
 /// A model of a mechanism.
@@ -151,6 +151,16 @@ impl StudyModel {
             Self::Planar(model) => model.outputs.iter().map(|output| output.name.as_str()).collect(),
             Self::Spatial(model) => model.outputs.iter().map(|output| output.name.as_str()).collect(),
         }
+    }
+
+    /// Name, words and unit of each output of a model that has no runs; `None` where runs say what they are.
+    pub fn outputs_without_runs(&self) -> Option<Vec<(String, String, SiUnit)>> {
+        let Self::Spatial(model) = self else { return None };
+        let described = model.outputs.iter().map(|output| {
+            let (words, unit) = model.output_words(output.kind);
+            (output.name.clone(), words, unit)
+        });
+        Some(described.collect())
     }
 
     /// How numbers are shown to people.
