@@ -23,6 +23,9 @@ problems! {
         /// A name of an integrator that is none.
         Integrator { given: String } => Code::UnknownChoice,
             says("integrator '{given}'; must be 'explicit' or 'implicit'");
+        /// What is integrated, of a model that has no dynamics.
+        NoDynamics { call: &'static str } => Code::WrongKindOfFile,
+            says("{call} needs a planar model: there is no dynamics in space, where motion() and check() answer");
         /// A table with other columns.
         Columns { found: usize, due: usize } => Code::BadCount,
             says("inputs: {found} columns; must be {due}");

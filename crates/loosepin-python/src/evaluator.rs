@@ -53,8 +53,8 @@ impl Evaluator {
         samples: Option<i64>,
         tolerance: String,
     ) -> PyResult<Self> {
-        let mut of_model = model.0.as_ref().clone();
-        of_model.cycle = model.cycle(turns, transient, samples)?;
+        let mut of_model = model.planar("evaluate()")?.clone();
+        of_model.cycle = model.cycle("evaluate()", turns, transient, samples)?;
         let laws = laws.into_iter().map(|(path, law)| [path, law]).collect();
         let evaluated = EvaluatedModel { model: of_model, inputs, laws, outputs, tolerance };
         let study = study::Study::of_evaluated(&evaluated).map_err(raise)?;

@@ -8,7 +8,9 @@ use loosepin::mechanism::Mechanism;
 use loosepin::model::{self, Cycle, PathError, Quantity, QuantityId, Rule, SettingError};
 use loosepin::simulate::record::Override;
 use loosepin::simulate::{Plan, Settings, columns};
-use loosepin::study::{InputFile, NamedPlace, NamedQuestion, NamedText, exact_value, model_from_texts, model_texts};
+use loosepin::study::{
+    InputFile, NamedPlace, NamedQuestion, NamedText, StudyModel, exact_value, model_from_texts, model_texts,
+};
 use loosepin::sweep::{SWEEP_POINTS, SWEEP_TRANSIENT_TURNS, SWEEP_TURNS, SweepRequest, SweptValues};
 use loosepin::units::SiUnit;
 use numpy::PyReadonlyArray2;
@@ -33,23 +35,34 @@ type ModelTexts = (NamedText, Vec<NamedText>);
 
 /// A checked model.
 #[pyclass(frozen, module = "loosepin._loosepin")]
-pub struct Model(pub Arc<model::Model>);
+pub struct Model(pub Arc<StudyModel>);
 
 impl Model {
     /// The model as a file whose kind is known.
     fn file(&self) -> InputFile {
-        InputFile::Model(self.0.as_ref().clone().into())
+        InputFile::Model(self.0.as_ref().clone())
     }
 
-    /// The turns that are run, those of the model where nothing else is said.
-    pub fn cycle(&self, turns: Option<f64>, transient: Option<f64>, samples: Option<i64>) -> PyResult<Cycle> {
+    /// The model for what is integrated by `call`, which no model in space is.
+    pub fn planar(&self, call: &'static str) -> PyResult<&model::Model> {
+        self.0.demand_planar().map_err(|_| raise_problem(&ArgumentProblem::NoDynamics { call }))
+    }
+
+    /// The turns that `call` runs, those of the model where nothing else is said.
+    pub fn cycle(
+        &self,
+        call: &'static str,
+        turns: Option<f64>,
+        transient: Option<f64>,
+        samples: Option<i64>,
+    ) -> PyResult<Cycle> {
         for (name, given, rule) in [("turns", turns, Rule::SomeTurns), ("transient", transient, Rule::Turns)] {
             if let Some(turns) = given.filter(|&turns| !rule.allows(turns)) {
                 return Err(raise_problem(&ArgumentProblem::Turns { name, given: turns, rule }));
             }
         }
         let samples = samples.map(|samples| count("samples", samples, 1..=MAX_SAMPLES)).transpose()?;
-        let mut cycle = self.0.cycle.clone();
+        let mut cycle = self.planar(call)?.cycle.clone();
         cycle.recorded_turns = turns.unwrap_or(cycle.recorded_turns);
         cycle.transient_turns = transient.unwrap_or(cycle.transient_turns);
         cycle.samples_per_turn = samples.map_or(cycle.samples_per_turn, |samples| samples as usize);
@@ -67,14 +80,14 @@ impl Model {
     /// Reads a model file.
     #[staticmethod]
     fn load(path: PathBuf) -> PyResult<Self> {
-        let model = InputFile::from_path(&path).and_then(InputFile::into_model);
+        let model = InputFile::from_path(&path).and_then(InputFile::into_any_model);
         Ok(Self(Arc::new(model.map_err(raise)?)))
     }
 
     /// Reads a model from text that is reported as `name`.
     #[staticmethod]
     fn from_text(text: &str, name: &str) -> PyResult<Self> {
-        Ok(Self(Arc::new(model::Model::from_text(name, text).map_err(raise)?)))
+        Ok(Self(Arc::new(StudyModel::from_source(diagnostics::Source::new(name, text)).map_err(raise)?)))
     }
 
     /// The text that it was read from and those of the tables that it names, by which [`Model::from_texts`] has it again.
@@ -92,7 +105,7 @@ impl Model {
     /// Its name.
     #[getter]
     fn name(&self) -> &str {
-        &self.0.name
+        self.0.name()
     }
 
     /// The text that it was read from.
@@ -104,26 +117,33 @@ impl Model {
     /// Warnings about it.
     #[getter]
     fn warnings(&self) -> Vec<Diagnostic> {
-        self.0.warnings.iter().map(Diagnostic::new).collect()
+        self.0.warnings().iter().map(Diagnostic::new).collect()
     }
 
     /// Warnings of values that settings make hardly possible.
     fn warnings_of_settings(&self, set: Vec<String>) -> Vec<Diagnostic> {
-        self.0.set_values(&set).map_or_else(|_| Vec::new(), |set| set.warnings().iter().map(Diagnostic::new).collect())
+        self.0.warnings_of_settings(&set).iter().map(Diagnostic::new).collect()
     }
 
     /// Name, words and SI unit of each output.
     fn outputs(&self) -> PyResult<Vec<(String, String, String)>> {
-        let values = self.0.set_values(&[]).map_err(raise)?.values;
-        let mechanism = Mechanism::new(&self.0, &values).map_err(|error| raise(error.diagnostic(&self.0)))?;
+        if let Some(described) = self.0.outputs_without_runs() {
+            return Ok(described
+                .into_iter()
+                .map(|(name, words, unit)| (name, words, unit.symbol().to_owned()))
+                .collect());
+        }
+        let model = self.planar("outputs")?;
+        let values = model.set_values(&[]).map_err(raise)?.values;
+        let mechanism = Mechanism::new(model, &values).map_err(|error| raise(error.diagnostic(model)))?;
         let outputs = columns(&mechanism.model).into_iter();
         Ok(outputs.map(|column| (column.name, column.words, column.unit.symbol().to_owned())).collect())
     }
 
     /// Path, SI unit and value of every number that can be set, in the order of the file.
     fn parameters(&self) -> Vec<(String, String, f64)> {
-        let nominal = self.0.quantities.nominal();
-        let settable = self.0.quantities.iter().filter(|(_, quantity)| quantity.is_settable());
+        let nominal = self.0.quantities().nominal();
+        let settable = self.0.quantities().iter().filter(|(_, quantity)| quantity.is_settable());
         let of = |(id, quantity): (QuantityId, &Quantity)| {
             (quantity.path.clone(), SiUnit::of_dimension(quantity.dimension).symbol().to_owned(), nominal[id])
         };
@@ -132,17 +152,14 @@ impl Model {
 
     /// The value of the input `path` that `text` states with its unit, SI.
     fn value_of(&self, path: &str, text: &str) -> PyResult<f64> {
-        Ok(self
-            .0
-            .parse_setting(&format!("{path}={text}"))
-            .map_err(|error| raise(of_argument("inputs", error)))?
-            .value_si)
+        let setting = self.planar("evaluate()")?.parse_setting(&format!("{path}={text}"));
+        Ok(setting.map_err(|error| raise(of_argument("inputs", error)))?.value_si)
     }
 
     /// Refuses a value of the input `path`, SI, that the model does not allow.
     fn check_value(&self, path: &str, value_si: f64) -> PyResult<()> {
         let Ok(quantity) = self.0.find(path) else { return Ok(()) };
-        let checked = self.0.quantities[quantity].check(value_si);
+        let checked = self.0.quantities()[quantity].check(value_si);
         checked.map_err(|error| raise(of_argument("inputs", diagnostics::Diagnostic::error(&error, None))))
     }
 
@@ -155,14 +172,15 @@ impl Model {
         settings: Vec<String>,
         paths: Vec<String>,
     ) -> PyResult<()> {
-        self.0.points_of_paths(&paths).map_err(raise)?;
+        let planar = self.planar("simulate_many()")?;
+        planar.points_of_paths(&paths).map_err(raise)?;
         let is_law =
-            |text: &String| text.split_once('=').is_some_and(|(path, _)| self.0.contact_of_law(path.trim()).is_some());
+            |text: &String| text.split_once('=').is_some_and(|(path, _)| planar.contact_of_law(path.trim()).is_some());
         let (laws, numbers): (Vec<String>, Vec<String>) = settings.into_iter().partition(is_law);
-        let model = self.0.set_values(&laws).map_err(raise)?.model;
-        let parse = |text: &String| self.0.parse_setting(text).map_err(|error| raise(of_argument("set", error)));
+        let model = planar.set_values(&laws).map_err(raise)?.model;
+        let parse = |text: &String| planar.parse_setting(text).map_err(|error| raise(of_argument("set", error)));
         let stated = numbers.iter().map(parse).collect::<PyResult<Vec<_>>>()?;
-        let find = |name: &String| self.0.find(name).map_err(|error| raise(of_unknown("inputs", error)));
+        let find = |name: &String| planar.find(name).map_err(|error| raise(of_unknown("inputs", error)));
         let ids = names.iter().map(find).collect::<PyResult<Vec<QuantityId>>>()?;
         for (run, row) in values.as_array().rows().into_iter().enumerate() {
             let stated = stated.iter().map(|setting| (setting.id, setting.value_si));
@@ -183,7 +201,7 @@ impl Model {
     #[allow(clippy::type_complexity, reason = "keys of a question")]
     fn question_of(&self, name: &str) -> PyResult<(String, Option<&'static str>, &'static str, Place)> {
         let NamedQuestion { output, component, of, place } =
-            NamedQuestion::of_name(&self.0.as_ref().clone().into(), name).map_err(|error| raise_problem(&error))?;
+            NamedQuestion::of_name(&self.0, name).map_err(|error| raise_problem(&error))?;
         let place = match place {
             NamedPlace::Cycle => ("at", "cycle".to_owned(), None),
             NamedPlace::Reduced(word) => ("reduce", word.to_owned(), None),
@@ -214,7 +232,7 @@ impl Model {
         let start = start.as_deref().map(Simulation::end_state).transpose()?;
         let plan = Plan {
             // The run that is continued has settled already.
-            cycle: self.cycle(turns, transient.or(start.map(|_| 0.0)), samples)?,
+            cycle: self.cycle("simulate()", turns, transient.or(start.map(|_| 0.0)), samples)?,
             settings: Settings {
                 tolerance_m: tolerance_m(tolerance)?,
                 integrator: integrator_named(integrator)?,
@@ -225,12 +243,20 @@ impl Model {
             second_run,
             overrides: Override::from_settings(&set),
         };
-        single_run::simulate(py, &self.0.with_paths(&paths).map_err(raise)?, &set, &plan, start, &measured)
+        single_run::simulate(
+            py,
+            &self.planar("simulate()")?.with_paths(&paths).map_err(raise)?,
+            &set,
+            &plan,
+            start,
+            &measured,
+        )
     }
 
     /// Refuses a model in which no joint wears, or that lacks what a run needs.
     fn demand_wear(&self) -> PyResult<()> {
-        self.0.demand_dynamics().and_then(|()| self.0.demand_wear()).map_err(raise)
+        let model = self.planar("wear()")?;
+        model.demand_dynamics().and_then(|()| model.demand_wear()).map_err(raise)
     }
 
     /// Its motion without dynamics, with the settings `set` and the paths of the points `paths`.
@@ -246,7 +272,7 @@ impl Model {
     /// A value of the quantity `path`, SI, as a text with its unit that reads back to the same bits. Errors name the `argument`.
     fn text_of_value(&self, argument: &str, path: &str, value_si: f64) -> PyResult<String> {
         let id = self.0.find(path).map_err(|error| raise(of_unknown(argument, error)))?;
-        Ok(exact_value(value_si, &SiUnit::of_dimension(self.0.quantities[id].dimension)))
+        Ok(exact_value(value_si, &SiUnit::of_dimension(self.0.quantities()[id].dimension)))
     }
 
     /// Runs for many values of the quantity `over`: `points` equally spaced ones from and to the texts `between`, or `values` in SI. Also
@@ -280,6 +306,6 @@ impl Model {
             tolerance,
         };
         let by = (tolerance_m(tolerance)?, count_threads(threads)?);
-        Sweep::of_model(py, &self.0, &request, by, progress.as_ref())
+        Sweep::of_model(py, self.planar("sweep()")?, &request, by, progress.as_ref())
     }
 }

@@ -74,9 +74,8 @@ impl Study {
 
     /// The model, as its file has it.
     #[getter]
-    fn model(&self) -> PyResult<Model> {
-        let model = self.0.model.demand_planar().map_err(raise)?;
-        Ok(Model(std::sync::Arc::new(model.clone())))
+    fn model(&self) -> Model {
+        Model(std::sync::Arc::new(self.0.model.clone()))
     }
 
     /// Warnings about it or its model.

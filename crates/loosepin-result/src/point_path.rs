@@ -18,6 +18,9 @@ pub const ELLIPSE_SHARE: f64 = 0.95;
 /// h(n) = max n·d. The scatter of dimensions has the covariance C = Σ σ_i σ_j ρ_ij ∂r/∂p_i (∂r/∂p_j)ᵀ; its ellipse holds 95 % of a normal
 /// distribution in the plane: dᵀ C⁻¹ d ≤ -2 ln 0.05.
 ///
+/// In space the zone has no recorded outline here, and no ellipse: it is known by its reach along and across the motion and by the longest d.
+/// Pictures have its hull.
+///
 /// All lists have one entry per angle of the drive, unless said otherwise.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct PointPath {
@@ -34,34 +37,50 @@ pub struct PointPath {
     /// Positions on the ideal path, m.
     #[serde(with = "extended")]
     pub y_m: Vec<f64>,
+    /// Positions on the ideal path, m; empty in the plane.
+    #[serde(with = "extended", default, skip_serializing_if = "Vec::is_empty")]
+    pub z_m: Vec<f64>,
     /// Velocities at the speed of the drive, m/s; empty in records of older versions.
     #[serde(with = "extended", default, skip_serializing_if = "Vec::is_empty")]
     pub velocity_x_m_s: Vec<f64>,
     /// Velocities, m/s.
     #[serde(with = "extended", default, skip_serializing_if = "Vec::is_empty")]
     pub velocity_y_m_s: Vec<f64>,
+    /// Velocities, m/s; empty in the plane.
+    #[serde(with = "extended", default, skip_serializing_if = "Vec::is_empty")]
+    pub velocity_z_m_s: Vec<f64>,
     /// Accelerations at the speed of the drive, m/s²; empty in records of older versions.
     #[serde(with = "extended", default, skip_serializing_if = "Vec::is_empty")]
     pub acceleration_x_m_s2: Vec<f64>,
     /// Accelerations, m/s².
     #[serde(with = "extended", default, skip_serializing_if = "Vec::is_empty")]
     pub acceleration_y_m_s2: Vec<f64>,
-    /// Unit vectors along the motion; (0, 0) where the point stands still.
+    /// Accelerations, m/s²; empty in the plane.
+    #[serde(with = "extended", default, skip_serializing_if = "Vec::is_empty")]
+    pub acceleration_z_m_s2: Vec<f64>,
+    /// Unit vectors along the motion; zero where the point stands still.
     #[serde(with = "extended")]
     pub tangent_x: Vec<f64>,
     /// Unit vectors along the motion.
     #[serde(with = "extended")]
     pub tangent_y: Vec<f64>,
+    /// Unit vectors along the motion; empty in the plane.
+    #[serde(with = "extended", default, skip_serializing_if = "Vec::is_empty")]
+    pub tangent_z: Vec<f64>,
     /// Reach h of the play, m: for each angle of the drive [`REACH_DIRECTIONS`] numbers, for the directions 0°, 11.25°, ... 168.75° from the
-    /// x axis.
-    #[serde(with = "extended")]
+    /// x axis. Empty in space.
+    #[serde(with = "extended", default, skip_serializing_if = "Vec::is_empty")]
     pub play_reach_m: Vec<f64>,
     /// Reach of the play along the motion, to either side, m; where the point stands still the largest |d|, which older versions give as 0.
     #[serde(with = "extended")]
     pub play_along_m: Vec<f64>,
-    /// Reach of the play across the motion, to either side, m; where the point stands still as along it.
+    /// Reach of the play across the motion, to either side, m, in space the longest displacement across it; where the point stands still as
+    /// along it.
     #[serde(with = "extended")]
     pub play_across_m: Vec<f64>,
+    /// The largest |d| by play in whatever direction, m; empty in the plane.
+    #[serde(with = "extended", default, skip_serializing_if = "Vec::is_empty")]
+    pub play_longest_m: Vec<f64>,
     /// Larger semi-axis of the 95 % ellipse of the scatter, m; empty where nothing scatters.
     #[serde(with = "extended", default, skip_serializing_if = "Vec::is_empty")]
     pub scatter_major_m: Vec<f64>,
@@ -91,33 +110,42 @@ impl PointPath {
         self.x_m.len()
     }
 
+    /// Whether the point moves in space.
+    pub fn is_in_space(&self) -> bool {
+        !self.z_m.is_empty()
+    }
+
     /// Whether each list has the length that it must have.
     pub fn is_complete(&self) -> bool {
         let positions = self.positions();
         let lists = [&self.y_m, &self.tangent_x, &self.tangent_y, &self.play_along_m, &self.play_across_m];
+        let in_space =
+            [&self.z_m, &self.tangent_z, &self.play_longest_m, &self.velocity_z_m_s, &self.acceleration_z_m_s2];
+        let reaches = if self.is_in_space() { 0 } else { REACH_DIRECTIONS * positions };
         let are_whole_or_absent = |lists: &[&Vec<f64>]| {
             lists.iter().all(|list| list.len() == positions) || lists.iter().all(|list| list.is_empty())
         };
         let rates = [&self.velocity_x_m_s, &self.velocity_y_m_s, &self.acceleration_x_m_s2, &self.acceleration_y_m_s2];
         lists.iter().all(|list| list.len() == positions)
-            && self.play_reach_m.len() == REACH_DIRECTIONS * positions
+            && self.play_reach_m.len() == reaches
+            && are_whole_or_absent(&in_space)
             && are_whole_or_absent(&rates)
             && are_whole_or_absent(&[&self.scatter_major_m, &self.scatter_minor_m, &self.scatter_angle_rad])
     }
 
     /// Speeds, m/s; empty in records of older versions.
     pub fn speeds_m_s(&self) -> Vec<f64> {
-        self.velocity_x_m_s.iter().zip(&self.velocity_y_m_s).map(|(x, y)| x.hypot(*y)).collect()
+        magnitudes([&self.velocity_x_m_s, &self.velocity_y_m_s, &self.velocity_z_m_s])
     }
 
     /// Magnitudes of the acceleration, m/s²; empty in records of older versions.
     pub fn acceleration_magnitudes_m_s2(&self) -> Vec<f64> {
-        self.acceleration_x_m_s2.iter().zip(&self.acceleration_y_m_s2).map(|(x, y)| x.hypot(*y)).collect()
+        magnitudes([&self.acceleration_x_m_s2, &self.acceleration_y_m_s2, &self.acceleration_z_m_s2])
     }
 
     /// Whether play takes the point off its path.
     pub fn has_play(&self) -> bool {
-        self.play_reach_m.iter().any(|reach_m| *reach_m > 0.0)
+        self.play_reach_m.iter().chain(&self.play_longest_m).any(|reach_m| *reach_m > 0.0)
     }
 
     /// Whether scatter does.
@@ -146,7 +174,8 @@ impl PointPath {
 
     /// Whether the point is too slow at a position for its motion to have a direction.
     pub fn stands_still(&self, position: usize) -> bool {
-        self.tangent_x[position] == 0.0 && self.tangent_y[position] == 0.0
+        let along_z = self.tangent_z.get(position).copied().unwrap_or(0.0);
+        self.tangent_x[position] == 0.0 && self.tangent_y[position] == 0.0 && along_z == 0.0
     }
 
     /// Whether it does so at each position: it has no path.
@@ -160,6 +189,9 @@ impl PointPath {
         if self.stands_still(position) {
             return [self.furthest_m(position); 2];
         }
+        if self.is_in_space() {
+            return [self.play_along_m[position], self.play_across_m[position]];
+        }
         let angle_rad = self.tangent_y[position].atan2(self.tangent_x[position]);
         [
             self.play_along_m[position] + self.scatter_reach_m(position, angle_rad),
@@ -167,8 +199,11 @@ impl PointPath {
         ]
     }
 
-    /// Largest |d| by play, and by the larger semi-axis of the scatter together, m.
+    /// Largest |d| by play, and in the plane by the larger semi-axis of the scatter together, m.
     fn furthest_m(&self, position: usize) -> f64 {
+        if let Some(longest_m) = self.play_longest_m.get(position) {
+            return *longest_m;
+        }
         let recorded_m = &self.play_reach_m[position * REACH_DIRECTIONS..][..REACH_DIRECTIONS];
         let play_m = recorded_m.iter().copied().fold(self.play_along_m[position], f64::max);
         play_m + self.scatter_major_m.get(position).copied().unwrap_or(0.0)
@@ -176,8 +211,11 @@ impl PointPath {
 
     /// Corners of the polygon about the zone of the play, relative to the position on the path, m, against the clock: the least polygon
     /// with sides in the recorded directions that holds the zone. Each side touches it; between them its corners lie beyond the zone by at
-    /// most 10 % of the largest reach (R tan 5.6°, for a segment), by 0.5 % for a disc.
+    /// most 10 % of the largest reach (R tan 5.6°, for a segment), by 0.5 % for a disc. Empty in space.
     pub fn play_zone_m(&self, position: usize) -> Vec<[f64; 2]> {
+        if self.is_in_space() {
+            return Vec::new();
+        }
         let start = position * REACH_DIRECTIONS;
         zone_corners(|direction| self.play_reach_m[start + direction % REACH_DIRECTIONS])
     }
@@ -185,6 +223,9 @@ impl PointPath {
     /// Corners of the polygon about the zone of play and scatter together: wherever the parts in the ellipse of the scatter lie,
     /// whatever the play does. As [`Self::play_zone_m`].
     pub fn zone_m(&self, position: usize) -> Vec<[f64; 2]> {
+        if self.is_in_space() {
+            return Vec::new();
+        }
         zone_corners(|direction| self.reach_m(position, direction))
     }
 }
@@ -192,6 +233,12 @@ impl PointPath {
 /// Angle of a recorded direction from the x axis, rad.
 pub fn direction_rad(direction: usize) -> f64 {
     std::f64::consts::PI * direction as f64 / REACH_DIRECTIONS as f64
+}
+
+/// Magnitudes of vectors by their components; those of z are empty in the plane.
+fn magnitudes([x, y, z]: [&[f64]; 3]) -> Vec<f64> {
+    let in_plane = x.iter().zip(y).map(|(x, y)| x.hypot(*y));
+    in_plane.enumerate().map(|(k, length)| z.get(k).map_or(length, |z| length.hypot(*z))).collect()
 }
 
 /// Corners of the polygon whose sides have these directions as normals and these distances from the middle.

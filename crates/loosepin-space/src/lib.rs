@@ -75,9 +75,9 @@ pub use mechanism::spatial_mechanism::SpatialMechanism;
 pub use mobility::{IdleKind, IdleMotion, Mobility, RedundantDirection, RedundantShare, mobility};
 pub use model::{
     CycleInput, Direction, ModelAssembly, ModelBody, ModelCycle, ModelCycleSpan, ModelDrive, ModelGuess, ModelJoint,
-    ModelMarker, ModelMisalignment, ModelOutput, ModelOutputKind, ModelPoint, PointId, SpatialModel, SpatialModelError,
-    SpatialModelProblem, SpatialMotionProblem, SpatialScatter, SpatialScatterPlan, dead_centre_spans, is_inertia,
-    is_spatial, refuse_without_geometry, spatial_model_schema,
+    ModelMarker, ModelMisalignment, ModelOutput, ModelOutputKind, ModelPoint, PlayEnds, PlayQuestion, PointId,
+    SpatialModel, SpatialModelError, SpatialModelProblem, SpatialMotionProblem, SpatialScatter, SpatialScatterPlan,
+    dead_centre_spans, is_inertia, is_spatial, refuse_without_geometry, spatial_model_schema,
 };
 pub use motion::{BodyRates, Motion, PathFrame, motion};
 pub use output::kind_of_output::{BodyGradient, KindOfOutput, OutputState};

@@ -58,7 +58,7 @@ impl StoredResult for SimulationRecord {
     const PAGE: fn(&Self) -> String = simulation_page;
     const TEXT: fn(&Self) -> String = simulation_text;
     const SHORT: Option<FirstScreen<Self>> =
-        Some((short_simulation_text, "contact laws, oscillations, impacts per turn, wear and the energy balance"));
+        Some((short_simulation_text, |_| "contact laws, oscillations, impacts per turn, wear and the energy balance"));
 
     fn done(&self) -> Done {
         match self.stop {

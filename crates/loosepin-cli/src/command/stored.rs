@@ -42,7 +42,7 @@ pub fn run_and_write(mut folder: ResultsFolder, write: impl FnOnce(&mut ResultsF
 }
 
 /// The first screen of a result, and what is left out of it.
-pub type FirstScreen<R> = (fn(&R) -> String, &'static str);
+pub type FirstScreen<R> = (fn(&R) -> String, fn(&R) -> &'static str);
 
 /// A result that is stored as `summary.json` and shown from it.
 pub trait StoredResult: Stored {
@@ -106,7 +106,7 @@ pub fn print_result<R: StoredResult>(result: &R, folder: &ResultsFolder, shown: 
             let short = short(result);
             console::print(&short)?;
             if short != R::TEXT(result) {
-                console::message(&format!("--all adds {left_out}"));
+                console::message(&format!("--all adds {}", left_out(result)));
             }
         }
         None => console::print(&R::TEXT(result))?,

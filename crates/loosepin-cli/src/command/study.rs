@@ -98,8 +98,10 @@ pub fn show_outcome(concluded: StudyOutcome, hint: &str, shown: ShownArguments) 
 impl StoredResult for StudyResult {
     const PAGE: fn(&Self) -> String = study_page;
     const TEXT: fn(&Self) -> String = study_text;
-    const SHORT: Option<FirstScreen<Self>> =
-        Some((short_study_text, "every bound and where it is attained, the three treatments, runs and assumptions"));
+    const SHORT: Option<FirstScreen<Self>> = Some((
+        short_study_text,
+        |_| "every bound and where it is attained, the three treatments, runs and assumptions",
+    ));
 
     fn read(folder: &ResultsFolder) -> Result<Self, Failure> {
         read_summary(&folder.finished()).map_err(|error| Failure::of(&error))

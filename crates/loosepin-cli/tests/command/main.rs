@@ -21,6 +21,7 @@ mod serve;
 mod shards;
 mod simulate;
 mod space;
+mod space_studies;
 mod study;
 mod study_queries;
 mod sweep;

@@ -63,7 +63,7 @@ fn log_bytes(desk: &Desk, folder: &str) -> u64 {
 
 /// Kills a study after it has committed runs `commits` times. It has one thread, so that it is far from its end by then on fast
 /// machines too.
-fn kill_after(desk: &Desk, commits: u32) {
+pub(super) fn kill_after(desk: &Desk, commits: u32) {
     let arguments = ["study", "study.toml", "--out", "killed", "--resume", "--threads", "1"];
     let mut last = log_bytes(desk, "killed");
     let mut child = start(desk, &arguments);

@@ -90,7 +90,7 @@ fn merge_with(desk: &Desk, out: &str, of: u32, small_round: u32) -> Said {
 }
 
 /// Shards and merges until the study is finished; gives the last merge and how many there were.
-fn finish(desk: &Desk, out: &str, of: u32) -> (Said, usize) {
+pub(super) fn finish(desk: &Desk, out: &str, of: u32) -> (Said, usize) {
     finish_with(desk, out, of, merge)
 }
 
@@ -111,7 +111,7 @@ fn finish_with(desk: &Desk, out: &str, of: u32, merge: impl Fn(&Desk, &str, u32)
     panic!("it does not end");
 }
 
-fn assert_same(desk: &Desk, expected: &str, found: &str) {
+pub(super) fn assert_same(desk: &Desk, expected: &str, found: &str) {
     let bytes = |folder: &str, file: &str| {
         fs::read(desk.path(folder).join(file)).unwrap_or_else(|error| panic!("{folder}/{file}: {error}"))
     };

@@ -42,6 +42,29 @@ fn a_motion_in_space_is_stored_as_one_in_the_plane() {
 }
 
 #[test]
+fn the_path_of_a_point_in_space_has_columns_a_row_and_a_zone() {
+    let desk = desk();
+    let said = desk.succeed(&["motion", "model.toml", "--path", "rod.slider", "--out", "one"]).output;
+    let motion = Columns::from_csv(&desk.read("one/motion.csv"));
+    let names = ["x", "y", "z"]
+        .map(|axis| ["m", "velocity_m_s", "acceleration_m_s2"].map(|what| format!("rod.slider_{axis}_{what}")));
+    let names = names.iter().flatten().map(String::as_str);
+    let reaches = ["rod.slider_play_along_m", "rod.slider_play_across_m", "rod.slider_play_longest_m"];
+    assert_eq!(motion.names()[4..], names.chain(reaches).collect::<Vec<_>>());
+    // The slider moves along x: it goes as far along its path as the output does.
+    let along = motion.column("rod.slider_play_along_m");
+    for (along, slider) in along.iter().zip(motion.column("slider_first_order_worst_case_m")) {
+        assert!((along - slider).abs() < 1e-12, "{along} {slider}");
+    }
+    assert!(said.contains("rod.slider"), "{said}");
+    let page = desk.read("one/report.html");
+    assert!(page.contains("Paths of points"));
+    let command = "loosepin motion model.toml --path rod.slider";
+    assert!(page.contains(command), "the command that makes it again");
+    desk.succeed(&["report", "one"]);
+}
+
+#[test]
 fn what_does_not_know_space_refuses_it() {
     let desk = desk();
     let place =
@@ -51,8 +74,8 @@ fn what_does_not_know_space_refuses_it() {
     );
     desk.fail(&["simulate", "model.toml"], &message);
     desk.fail(
-        &["motion", "model.toml", "--path", "rod.slider"],
-        "error[E0207]: --path cannot be used with a model in space yet",
+        &["motion", "model.toml", "--path", "rod.slidr"],
+        "--path:1:1: error[E0401]: --path: there is no point 'rod.slidr'\nhint: did you mean 'rod.slider'?",
     );
     desk.fail(
         &["motion", "model.toml", "--set", "parameter.rod_lenght=310mm"],

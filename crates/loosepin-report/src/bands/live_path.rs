@@ -27,10 +27,15 @@ pub struct LivePath {
     pub scatter: Vec<[f64; 3]>,
 }
 
-/// All paths of a record. The words of a path relative to another point name no point of the drawing, which therefore shows no zone of it.
+/// All paths of a record in the plane. The words of a path relative to another point name no point of the drawing, which therefore shows no zone of it.
 pub fn live_paths(record: &MotionRecord) -> Vec<LivePath> {
     let step = pose_step(record.drive_angle_rad.len());
-    record.paths.iter().filter(|path| path.is_complete()).map(|path| live_path(path, step)).collect()
+    record
+        .paths
+        .iter()
+        .filter(|path| path.is_complete() && !path.is_in_space())
+        .map(|path| live_path(path, step))
+        .collect()
 }
 
 fn live_path(path: &PointPath, step: usize) -> LivePath {

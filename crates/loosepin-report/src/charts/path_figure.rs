@@ -25,7 +25,9 @@ const HALF_STEP: f64 = 0.5;
 pub(crate) fn path_figure(path: &PointPath, drive: &str, drive_angle_rad: &[f64], writer: &NumberWriter) -> Markup {
     let positions = path.positions();
     let xy_m = [path.x_m.as_slice(), path.y_m.as_slice()];
+    // A path in space is drawn with its mechanism.
     let is_whole = path.is_complete()
+        && !path.is_in_space()
         && positions > 2
         && drive_angle_rad.len() == positions
         && xy_m.iter().all(|list| list.iter().all(|value| value.is_finite()));
@@ -190,7 +192,8 @@ fn table(columns: &[(String, Vec<f64>)], step: usize) -> String {
 pub(crate) fn largest_reach_m(path: &PointPath) -> f64 {
     let reaches = (0..path.positions()).flat_map(|k| path.zone_m(k));
     // Beyond the reaches themselves by a corner of the polygon: what is drawn has room.
-    reaches.fold(0.0, |most: f64, [x, y]| most.max(x.hypot(y)))
+    let longest_m = path.play_longest_m.iter().copied().fold(0.0, f64::max);
+    reaches.fold(longest_m, |most: f64, [x, y]| most.max(x.hypot(y)))
 }
 
 /// Reach along and across the motion, m, at each position: 0 where the point of a path that moves stands still; where it never moves, how

@@ -202,19 +202,26 @@ impl<'r> Mover<'r> {
             (Mover::Output(output), Derivative::Position) => vec![("", output.value_si.clone())],
             (Mover::Output(output), Derivative::Velocity) => vec![("", output.velocity_si.clone())],
             (Mover::Output(output), Derivative::Acceleration) => vec![("", output.acceleration_si.clone())],
-            (Mover::Path(path), Derivative::Position) => vec![("x", path.x_m.clone()), ("y", path.y_m.clone())],
-            (Mover::Path(path), Derivative::Velocity) => vec![
-                ("x", path.velocity_x_m_s.clone()),
-                ("y", path.velocity_y_m_s.clone()),
-                ("magnitude", path.speeds_m_s()),
-            ],
-            (Mover::Path(path), Derivative::Acceleration) => vec![
-                ("x", path.acceleration_x_m_s2.clone()),
-                ("y", path.acceleration_y_m_s2.clone()),
-                ("magnitude", path.acceleration_magnitudes_m_s2()),
-            ],
+            (Mover::Path(path), Derivative::Position) => coordinates([&path.x_m, &path.y_m, &path.z_m]),
+            (Mover::Path(path), Derivative::Velocity) => {
+                let mut lines = coordinates([&path.velocity_x_m_s, &path.velocity_y_m_s, &path.velocity_z_m_s]);
+                lines.push(("magnitude", path.speeds_m_s()));
+                lines
+            }
+            (Mover::Path(path), Derivative::Acceleration) => {
+                let all = [&path.acceleration_x_m_s2, &path.acceleration_y_m_s2, &path.acceleration_z_m_s2];
+                let mut lines = coordinates(all);
+                lines.push(("magnitude", path.acceleration_magnitudes_m_s2()));
+                lines
+            }
         }
     }
+}
+
+/// Those of a path with their names: in the plane it has two.
+fn coordinates(lists: [&Vec<f64>; 3]) -> Vec<(&'static str, Vec<f64>)> {
+    let named = ["x", "y", "z"].into_iter().zip(lists);
+    named.filter(|(name, list)| *name != "z" || !list.is_empty()).map(|(name, list)| (name, list.clone())).collect()
 }
 
 /// A derivative of what moves; `None` if the record does not have it.

@@ -29,7 +29,12 @@ pub(super) fn verdicts_said(record: &MotionRecord, writer: &NumberWriter<'_>) ->
     let requirements = record.requirements.iter().map(|requirement| requirement_sentence(record, requirement, writer));
     let allowances = record.allowances.iter().map(|allowance| allowance_sentence(allowance, writer));
     let rests_on = record.requirements.iter().any(|requirement| requirement.verdict == MotionVerdict::Met).then(|| {
-        "Elastic contacts and bending bodies add to these deviations: `loosepin study` shows how much.".to_owned()
+        let by_study = if record.picture.is_empty() {
+            ": `loosepin study` shows how much"
+        } else {
+            "; in space nothing computes them yet"
+        };
+        format!("Elastic contacts and bending bodies add to these deviations{by_study}.")
     });
     let is_open =
         |own: &MotionRequirement| matches!(own.verdict, MotionVerdict::Undecided | MotionVerdict::NeedsDynamics);

@@ -36,11 +36,12 @@ pub fn motion_columns<'r>(record: &'r MotionRecord) -> Vec<HistoryColumn<'r>> {
         add(&output.name, "_scatter_standard_deviation", units[0], &output.dimensional_standard_deviation_si);
     }
     for path in &record.paths {
-        // The coordinates of an output that is a path are outputs too.
-        if path.output.is_none() {
+        // In the plane the coordinates of an output that is a path are outputs too.
+        if path.output.is_none() || path.is_in_space() {
             for (axis, position, velocity, acceleration) in [
                 ("x", &path.x_m, &path.velocity_x_m_s, &path.acceleration_x_m_s2),
                 ("y", &path.y_m, &path.velocity_y_m_s, &path.acceleration_y_m_s2),
+                ("z", &path.z_m, &path.velocity_z_m_s, &path.acceleration_z_m_s2),
             ] {
                 add(&path.name, &format!("_{axis}"), "m", position);
                 add(&path.name, &format!("_{axis}_velocity"), "m/s", velocity);
@@ -49,6 +50,7 @@ pub fn motion_columns<'r>(record: &'r MotionRecord) -> Vec<HistoryColumn<'r>> {
         }
         add(&path.name, "_play_along", "m", &path.play_along_m);
         add(&path.name, "_play_across", "m", &path.play_across_m);
+        add(&path.name, "_play_longest", "m", &path.play_longest_m);
         add(&path.name, "_scatter_major", "m", &path.scatter_major_m);
         add(&path.name, "_scatter_minor", "m", &path.scatter_minor_m);
         add(&path.name, "_scatter_angle", "rad", &path.scatter_angle_rad);

@@ -1,5 +1,6 @@
 //! The picture of a model.
 
+use super::marker::PointId;
 use super::parts::SpatialModel;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::picture::{PictureSource, TracedPoint};
@@ -45,31 +46,38 @@ impl SpatialModel {
     }
 
     fn points_of(&self, body: usize, values: &Values) -> Vec<(String, Vec3)> {
-        let position = |point: usize| self.position(super::marker::PointId { body, point }, values);
+        let position = |point: usize| self.position(PointId { body, point }, values);
         let points = self.bodies[body].points.iter().enumerate();
         points.map(|(number, point)| (point.name.clone(), position(number))).collect()
     }
 
-    /// The points of outputs; where there is none, the middles of joints between moving bodies.
-    pub(super) fn traced_points(&self, mechanism: &SpatialMechanism, values: &Values) -> Vec<TracedPoint> {
+    /// The points of outputs and those that are `asked` for; where there is none, the middles of joints between moving bodies.
+    pub(super) fn traced_points(
+        &self,
+        mechanism: &SpatialMechanism,
+        values: &Values,
+        asked: &[PointId],
+    ) -> Vec<TracedPoint> {
+        let traced = |point: PointId, output: Option<usize>| TracedPoint {
+            name: self.point_name(point),
+            output,
+            body: point.body,
+            point_m: self.position(point, values),
+            has_zones: true,
+        };
         let of_outputs = self.outputs.iter().enumerate().filter_map(|(number, output)| {
             let point = output.kind.point()?;
-            Some(TracedPoint {
-                name: self.point_name(point),
-                output: Some(number),
-                body: point.body,
-                point_m: self.position(point, values),
-            })
+            Some(traced(point, Some(number)))
         });
-        let mut traced: Vec<TracedPoint> = Vec::new();
-        for point in of_outputs {
+        let mut points: Vec<TracedPoint> = Vec::new();
+        for point in of_outputs.chain(asked.iter().map(|point| traced(*point, None))) {
             // Of several outputs of one point the first.
-            if traced.iter().all(|other| other.name != point.name) {
-                traced.push(point);
+            if points.iter().all(|other| other.name != point.name) {
+                points.push(point);
             }
         }
-        if !traced.is_empty() {
-            return traced;
+        if !points.is_empty() {
+            return points;
         }
         let moving = mechanism.joints().iter().filter(|joint| joint.bearing.body != 0 && joint.journal.body != 0);
         moving
@@ -78,6 +86,7 @@ impl SpatialModel {
                 output: None,
                 body: joint.bearing.body,
                 point_m: joint.bearing.point_m,
+                has_zones: false,
             })
             .collect()
     }

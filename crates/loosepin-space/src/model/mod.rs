@@ -8,6 +8,7 @@
 //! | tables | `read.rs` (the file), `body.rs`, `joint.rs`, `drive.rs` (with the cycle), `output/`, `assembly.rs` |
 //! | from values to a mechanism; where its bodies start | `compile.rs`; `placing.rs` |
 //! | its motion over a turn, with worst cases; what play does to an output | `over_turn.rs`; `course.rs` |
+//! | how far play takes a number, and the path of a point | `by_play/` |
 //! | what random dimensions do to it | `scatter.rs` |
 //! | numbers that are round-off | `round_off.rs` |
 //! | whether its parts fit | `fit.rs` |
@@ -18,6 +19,7 @@
 
 mod assembly;
 mod body;
+mod by_play;
 mod compile;
 mod course;
 pub(crate) mod direction;
@@ -41,6 +43,7 @@ mod scatter;
 mod still;
 
 pub use body::is_inertia;
+pub use by_play::{PlayEnds, PlayQuestion};
 pub use compile::CycleInput;
 pub use direction::Direction;
 pub use fit::ModelAssembly;

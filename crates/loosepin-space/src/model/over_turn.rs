@@ -3,6 +3,7 @@
 use super::compile::CycleInput;
 use super::course::{Course, has_play};
 use super::drawn::Trace;
+use super::marker::PointId;
 use super::parts::{ModelCycleSpan, ModelOutput, SpatialModel};
 use super::problem::SpatialMotionProblem;
 use super::round_off::drop_round_off;
@@ -50,6 +51,20 @@ impl SpatialModel {
         is_proven: bool,
         is_stopped: IsStopped,
     ) -> Result<MotionRecord, Diagnostics> {
+        self.motion_with_paths_until(values, &[], is_proven, is_stopped)
+    }
+
+    /// The same with the paths of further points, and what play makes of them to first order.
+    ///
+    /// # Errors
+    /// As for [`SpatialModel::motion_record_until`]; positions in which a path has no answer.
+    pub fn motion_with_paths_until(
+        &self,
+        values: &Values,
+        points: &[PointId],
+        is_proven: bool,
+        is_stopped: IsStopped,
+    ) -> Result<MotionRecord, Diagnostics> {
         let go_on = || if is_stopped() { Err(self.not_closed(&ClosureError::Stopped)) } else { Ok(()) };
         let mechanism = self.mechanism(values).map_err(|error| self.diagnostic(&error))?;
         let input = self.cycle_input(values).map_err(|error| self.diagnostic(&error))?;
@@ -60,8 +75,9 @@ impl SpatialModel {
         let mut courses = self.courses(&mechanism, values)?;
         let has_play = mechanism.joints().iter().any(has_play);
         let zones = Zones::new(positions.len());
-        let points = self.traced_points(&mechanism, values).into_iter();
-        let mut traces: Vec<Trace> = points.map(|point| Trace { point, zones: Vec::new() }).collect();
+        let mut paths = self.paths_over_turn(&mechanism, values, input.turn_s, points);
+        let traced = self.traced_points(&mechanism, values, points).into_iter();
+        let mut traces: Vec<Trace> = traced.map(|point| Trace { point, zones: Vec::new() }).collect();
         let (mut poses, mut dead_centres) = (Vec::with_capacity(positions.len()), Vec::new());
         // One after the other: the loop equations of all positions at once may be gigabytes.
         for (sample, position) in positions.iter().enumerate() {
@@ -75,8 +91,9 @@ impl SpatialModel {
             for (course, output) in courses.iter_mut().zip(&self.outputs) {
                 course.add(&accuracy, is_regular).map_err(|error| self.no_answer(&output.name, at, error))?;
             }
+            paths.add(&mechanism, &accuracy).map_err(|(path, error)| self.no_path(&path, at, error))?;
             poses.push(accuracy.position().poses.clone());
-            for trace in traces.iter_mut().filter(|own| has_play && own.point.output.is_some() && zones.has(sample)) {
+            for trace in traces.iter_mut().filter(|own| has_play && own.point.has_zones && zones.has(sample)) {
                 trace.zones.extend(zones.zone(&accuracy, &trace.point, sample));
             }
         }
@@ -105,7 +122,7 @@ impl SpatialModel {
         });
         let outputs = outputs.collect::<Result<Vec<OutputMotion>, Diagnostics>>()?;
         let unproven_spans = dead_centre_spans(&record.drive_angle_rad, &dead_centres);
-        Ok(MotionRecord { outputs, unproven_spans, picture, ..record })
+        Ok(MotionRecord { outputs, paths: paths.finished(), unproven_spans, picture, ..record })
     }
 
     /// What play does to each output to first order at other places, as [`SpatialModel::scatter_at`] has what scatters there.
@@ -351,7 +368,7 @@ pub fn dead_centre_spans(angles_rad: &[f64], dead_centres: &[bool]) -> Vec<Unpro
 }
 
 /// Ideal values: of a point its place along the direction, of a turn the sum of the turns from the `start` to the position.
-fn ideal(components: &[SpatialOutput], states: &[OutputState<'_>], start: usize) -> Vec<f64> {
+pub(super) fn ideal(components: &[SpatialOutput], states: &[OutputState<'_>], start: usize) -> Vec<f64> {
     let [output] = components else { return Vec::new() };
     if let Some(own) = output.point() {
         return states.iter().map(|state| state.poses[own.body].point_m(own.point_m).dot(own.direction)).collect();

@@ -120,8 +120,6 @@ problems! {
         ReachesDeadCentre { at: String } => Code::SingularPosition,
             says("at {at} play takes the mechanism to a dead centre, where it can go over to its other assembly: there is no bound"),
             hint("take less play, or a motion that stays farther from the dead centre; `loosepin motion` shows what play does there");
-        OptionNotInSpace { option: &'static str } => Code::NotYetSupported,
-            says("{option} cannot be used with a model in space yet");
     }
 }
 

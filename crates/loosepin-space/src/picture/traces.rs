@@ -24,6 +24,8 @@ pub(crate) struct TracedPoint {
     pub body: usize,
     /// In the frame of the body, m.
     pub point_m: Vec3,
+    /// Whether it is drawn where play takes it.
+    pub has_zones: bool,
 }
 
 /// Zones of points, while a mechanism moves over its turn.

@@ -12,7 +12,7 @@ use crate::closure::position::Position;
 use crate::mechanism::drive::DriveValue;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::model::{ModelOutput, SpatialModel};
-use crate::motion::motion;
+use crate::motion::path_direction;
 use crate::output::SpatialOutput;
 use crate::output::kind_of_output::{KindOfOutput, OutputState};
 use crate::stop::IsStopped;
@@ -24,8 +24,6 @@ use std::f64::consts::FRAC_PI_2;
 const LONGEST_STEP_TURNS: f64 = 1.0 / 36.0;
 /// Share of the way to a dead centre that play may go in the nominal position for samples, which differ from it, not to be looked at.
 const FAR_FROM_DEAD: f64 = 0.03;
-/// Speed of a point below which it turns back or rests, relative to the characteristic length and the rate of the turn.
-const RESTING: f64 = 1e-9;
 
 /// The nominal motion at the places of all samples.
 #[derive(Debug, Clone)]
@@ -227,12 +225,5 @@ fn tangent(
 ) -> Result<Vec3, SamplingError> {
     let at_rest = || SamplingError::AtRest { output: output.name.clone(), turn: place.turn };
     let point = components.first().and_then(SpatialOutput::point).ok_or_else(at_rest)?;
-    let rates = motion(mechanism, &place.base.position);
-    let arm = place.base.position.poses[point.body].orientation.rotation().apply(point.point_m);
-    let limit = RESTING * mechanism.characteristic_length_m() / turn_s;
-    let [velocity, acceleration] =
-        [rates.point_velocity_m_s(point.body, arm), rates.point_acceleration_m_s2(point.body, arm)];
-    let along = if velocity.length() > limit { velocity } else { acceleration };
-    let is_moving = velocity.length() > limit || acceleration.length() > limit / turn_s;
-    along.normalised().filter(|_| is_moving).ok_or_else(at_rest)
+    path_direction(mechanism, &place.base.position, &point, turn_s).ok_or_else(at_rest)
 }

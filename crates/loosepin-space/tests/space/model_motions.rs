@@ -282,3 +282,99 @@ fn a_turn_in_large_steps_is_refused() {
         first.message
     );
 }
+
+/// A crank of r = 50 mm about z, 60 rpm, whose bearing of length l = 20 mm has c = 0.1 mm and c_a = 0.2 mm.
+const CRANK: &str = r#"
+name = "crank"
+geometry = "space"
+[body.ground]
+points = { o = ["0 mm", "0 mm", "0 mm"] }
+[body.crank]
+points = { o = ["0 mm", "0 mm", "0 mm"], tip = ["50 mm", "0 mm", "0 mm"], axle = ["0 mm", "0 mm", "30 mm"] }
+[joint.main]
+kind = "revolute"
+bearing = "ground.o"
+journal = "crank.o"
+radial_clearance = "0.1 mm"
+bearing_length = "20 mm"
+axial_clearance = "0.2 mm"
+[drive.crank]
+joint = "main"
+speed = "60 rpm"
+start_angle = "0 deg"
+[cycle]
+drive = "crank"
+samples_per_turn = 12
+"#;
+
+/// d = ((u1 + u2)/2 across the axis, α + r (u2 - u1)/l along it): c along the path, c_a + 2 r c/l across it, which is the longest as well.
+#[test]
+fn analytic_the_path_of_a_crank_has_the_reach_of_offset_and_lean_of_its_bearing() {
+    let model = SpatialModel::from_text("model.toml", CRANK).unwrap();
+    let points = model.points_of_paths(&["crank.tip".into(), "crank.axle".into(), "crank.tip".into()]).unwrap();
+    let record = model.motion_with_paths_until(&model.quantities.nominal(), &points, false, &|| false).unwrap();
+    let [tip, axle] = &record.paths[..] else { panic!("{:?}", record.paths) };
+    assert!(tip.is_complete() && tip.is_in_space() && tip.output.is_none() && axle.is_complete());
+    assert_eq!([&tip.name, &tip.point, &axle.name], ["crank.tip", "crank.tip", "crank.axle"]);
+    let speed = std::f64::consts::TAU;
+    for (k, angle) in record.drive_angle_rad.iter().enumerate() {
+        let [x, y] = [0.05 * angle.cos(), 0.05 * angle.sin()];
+        for (found, due) in [(tip.x_m[k], x), (tip.y_m[k], y), (tip.z_m[k], 0.0)] {
+            assert!((found - due).abs() < 1e-15, "{found} {due}");
+        }
+        assert_close(tip.speeds_m_s()[k], 0.05 * speed, 1e-13);
+        assert_close(tip.acceleration_magnitudes_m_s2()[k], 0.05 * speed * speed, 1e-13);
+        assert!((tip.tangent_x[k] * x + tip.tangent_y[k] * y).abs() < 1e-15 && tip.tangent_z[k].abs() < 1e-15);
+        assert_close(tip.play_along_m[k], 1e-4, 1e-12);
+        assert_close(tip.play_across_m[k], 2e-4 + 2.0 * 0.05 * 1e-4 / 0.02, 1e-12);
+        assert_close(tip.play_longest_m[k], 7e-4, 1e-12);
+        // On the axis it rests: no direction is along its path. At a height h = 30 mm, c (h/l + 1/2 + h/l - 1/2) = 3 c and c_a.
+        assert!(axle.stands_still(k));
+        for reach in [axle.play_along_m[k], axle.play_across_m[k], axle.play_longest_m[k]] {
+            assert_close(reach, 3e-4_f64.hypot(2e-4), 1e-12);
+        }
+    }
+    // The picture has both, where play takes them.
+    let drawn: Vec<(&str, bool)> =
+        record.picture.traces.iter().map(|trace| (trace.point.as_str(), !trace.zones.is_empty())).collect();
+    assert_eq!(drawn, [("crank.tip", true), ("crank.axle", true)]);
+}
+
+#[test]
+fn identity_an_output_that_is_a_path_has_its_path_with_its_worst_case() {
+    let record = record(LEANING);
+    let [path] = &record.paths[..] else { panic!("{:?}", record.paths) };
+    assert_eq!(
+        (path.name.as_str(), path.point.as_str(), path.output.as_deref()),
+        ("tip_path", "rod.tip", Some("tip_path"))
+    );
+    let output = record.outputs.iter().find(|own| own.name == "tip_path").unwrap();
+    assert_eq!(path.play_longest_m, output.clearance.first_order_si);
+    let z = record.outputs.iter().find(|own| own.name == "tip").unwrap();
+    for k in 0..path.positions() {
+        assert_close(path.z_m[k], z.value_si[k], 1e-12);
+        assert!(path.play_along_m[k].hypot(path.play_across_m[k]) >= path.play_longest_m[k] * (1.0 - 1e-12));
+    }
+    // Differences of places have the rates.
+    let fine = LEANING.replace("samples_per_turn = 6", "samples_per_turn = 3600");
+    let model = SpatialModel::from_text("model.toml", &fine).unwrap();
+    let path = &model.motion_record(&model.quantities.nominal()).unwrap().paths[0];
+    let step_s = 0.04 / 3600.0;
+    for k in (100..3500).step_by(700) {
+        for (place, rate, second) in [
+            (&path.x_m, &path.velocity_x_m_s, &path.acceleration_x_m_s2),
+            (&path.y_m, &path.velocity_y_m_s, &path.acceleration_y_m_s2),
+        ] {
+            assert!(((place[k + 1] - place[k - 1]) / (2.0 * step_s) - rate[k]).abs() < 1e-4, "{}", rate[k]);
+            assert!(((rate[k + 1] - rate[k - 1]) / (2.0 * step_s) - second[k]).abs() < 1e-1, "{}", second[k]);
+        }
+    }
+}
+
+#[test]
+fn a_path_of_no_point_is_refused_with_the_nearest_one() {
+    let model = SpatialModel::from_text("model.toml", CRANK).unwrap();
+    let refused = |name: &str| model.points_of_paths(&[name.to_owned()]).unwrap_err().sorted()[0].message.clone();
+    assert_eq!(refused("crank.tpi"), "--path: there is no point 'crank.tpi'");
+    assert_eq!(refused("tip"), "--path is 'tip'; must be body.point");
+}

@@ -10,10 +10,10 @@ use loosepin_result::motion::MotionRecord;
 use loosepin_result::simulation::Drawing;
 use loosepin_simulate::accuracy::{AccuracyError, AllDeviationEnds, DeviationQuestion, DimensionLimit};
 use loosepin_simulate::{RunFailure, SmallestClearance};
-use loosepin_space::PlayDistribution;
+use loosepin_space::{IsStopped, PlayDistribution, PlayEnds, PlayQuestion};
 use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Place, Source};
 use loosepin_text::numbers::{QuantityId, QuantityTable, Values};
-use loosepin_text::units::{Dimension, DisplayUnits};
+use loosepin_text::units::{Dimension, DisplayUnits, SiUnit};
 use std::fmt::Debug;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -57,6 +57,11 @@ pub trait KindOfModel: Debug + Send + Sync {
 
     /// All that can be asked of it, in file order; of a path each of its parts.
     fn outputs(&self) -> Vec<StudyOutput>;
+
+    /// Name, words and unit of each output of a model that has no runs; `None` where runs say what they are.
+    fn outputs_without_runs(&self) -> Option<Vec<(String, String, SiUnit)>> {
+        None
+    }
 
     /// How numbers are shown to people.
     fn shown_in(&self, usual: DisplayUnits) -> DisplayUnits {
@@ -263,6 +268,11 @@ pub trait KindOfModel: Debug + Send + Sync {
         None
     }
 
+    /// Ends of how far play alone moves an output, where it has them.
+    fn play_proofs(&self) -> Option<&dyn PlayProofs> {
+        None
+    }
+
     /// An error of its mechanism at the part that it concerns, where that is known.
     fn diagnostic_of_mechanism(&self, _error: &MechanismError) -> Option<Diagnostic> {
         None
@@ -272,6 +282,20 @@ pub trait KindOfModel: Debug + Send + Sync {
     fn diagnostic_of_run(&self, _failure: &RunFailure) -> Option<Diagnostic> {
         None
     }
+}
+
+/// A model of which it is known how far play alone moves its outputs.
+pub trait PlayProofs {
+    /// The ends of a deviation, found and proven, at these values.
+    ///
+    /// # Errors
+    /// The loops do not close; a position has no answer; that it was stopped.
+    fn play_ends(
+        &self,
+        values: &Values,
+        question: &PlayQuestion,
+        is_stopped: IsStopped<'_>,
+    ) -> Result<PlayEnds, Diagnostics>;
 }
 
 /// A model of which it can be proven how far its outputs go without dynamics.

@@ -2,7 +2,7 @@
 //! own; nobody else asks which of the two it is.
 
 mod kind;
-pub use kind::{Clearance, DeviationProofs, KindOfModel, PLAY, ProvenDeviations};
+pub use kind::{Clearance, DeviationProofs, KindOfModel, PLAY, PlayProofs, ProvenDeviations};
 mod motion_request;
 pub use motion_request::MotionRequest;
 pub(crate) mod outputs;

@@ -1,6 +1,6 @@
 //! What a model in space says of itself: its positions are closed, without dynamics.
 
-use super::kind::{Clearance, KindOfModel};
+use super::kind::{Clearance, KindOfModel, PlayProofs};
 use super::motion_request::MotionRequest;
 use super::outputs::StudyOutput;
 use super::spatial_motion::{moved, play_with_scatter};
@@ -9,10 +9,11 @@ use super::spatial_settings::{settings, values_under};
 use super::{spatial_paths, spatial_turn};
 use loosepin_mechanics::model::{Cycle, CycleInput, CycleSpan, PathError};
 use loosepin_result::motion::MotionRecord;
-use loosepin_space::{PlayDistribution, SpatialModel, stop_after};
+use loosepin_space::{IsStopped, PlayDistribution, PlayEnds, PlayQuestion, SpatialModel, stop_after};
 use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Place, Source};
 use loosepin_text::numbers::{QuantityId, QuantityTable, Values};
 use loosepin_text::plausible::JudgedModel;
+use loosepin_text::units::SiUnit;
 use std::sync::Arc;
 
 /// Steps along the motion that show whether a mechanism moves.
@@ -122,9 +123,32 @@ impl KindOfModel for SpatialModel {
         joints.map(|(joint, count)| (joint.to_owned(), count)).collect()
     }
 
+    fn outputs_without_runs(&self) -> Option<Vec<(String, String, SiUnit)>> {
+        let described = self.outputs.iter().map(|output| {
+            let words = format!("{} of {}", output.kind.word(), self.name_of(output.kind));
+            (output.name.clone(), words, SiUnit::of_dimension(output.kind.dimension()))
+        });
+        Some(described.collect())
+    }
+
+    fn play_proofs(&self) -> Option<&dyn PlayProofs> {
+        Some(self)
+    }
+
     fn motion_of_page(&self, settings: &[String]) -> Option<MotionRecord> {
         let values = values_under(self, settings).ok()?;
         self.motion_record(&values).ok()
+    }
+}
+
+impl PlayProofs for SpatialModel {
+    fn play_ends(
+        &self,
+        values: &Values,
+        question: &PlayQuestion,
+        is_stopped: IsStopped<'_>,
+    ) -> Result<PlayEnds, Diagnostics> {
+        self.play_ends_until(values, question, is_stopped)
     }
 }
 

@@ -8,7 +8,7 @@ use loosepin_result::motion::{
 };
 use loosepin_result::simulation::Override;
 use loosepin_simulate::accuracy::AskedPose;
-use loosepin_space::{SpatialModel, SpatialMotionProblem, SpatialScatter, SpatialScatterPlan};
+use loosepin_space::{SpatialModel, SpatialScatter, SpatialScatterPlan};
 use loosepin_text::diagnostics::Diagnostics;
 use loosepin_text::numbers::QuantityId;
 use std::f64::consts::TAU;
@@ -17,11 +17,8 @@ use std::f64::consts::TAU;
 /// and can be.
 ///
 /// # Errors
-/// Those of [`play`] and of [`add_scatter`]; paths of points.
+/// Those of [`play`] and of [`add_scatter`].
 pub(super) fn moved(model: &SpatialModel, request: &MotionRequest<'_>) -> Result<MotionRecord, Diagnostics> {
-    if !request.paths.is_empty() {
-        return Err(Diagnostics::one(&SpatialMotionProblem::OptionNotInSpace { option: "--path" }, None));
-    }
     let mut record = play(model, request)?;
     add_scatter(model, request, &mut record)?;
     Ok(record)
@@ -44,10 +41,13 @@ pub(super) fn play_with_scatter(
 /// The motion without what scatters.
 ///
 /// # Errors
-/// A setting that the model does not take; loops that do not close; positions in which an output has no answer; that it was stopped.
+/// A setting that the model does not take; a path of a point that it does not have; loops that do not close; positions in which an output has
+/// no answer; that it was stopped.
 fn play(model: &SpatialModel, request: &MotionRequest<'_>) -> Result<MotionRecord, Diagnostics> {
     let values = values_under(model, &request.settings)?;
-    let record = model.motion_record_until(&values, request.has_worst_cases, &|| request.is_stopped())?;
+    let points = model.points_of_paths(request.paths)?;
+    let is_stopped = || request.is_stopped();
+    let record = model.motion_with_paths_until(&values, &points, request.has_worst_cases, &is_stopped)?;
     Ok(MotionRecord { overrides: Override::from_settings(&request.settings), ..record })
 }
 

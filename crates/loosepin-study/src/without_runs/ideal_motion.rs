@@ -2,12 +2,13 @@
 
 use crate::model::MotionRequest;
 use crate::without_runs::judge::{Judgement, judge};
+use crate::without_runs::judge_by_play::judge_by_play;
 use crate::written::input_file::InputFile;
 use loosepin_result::motion::MotionRecord;
 use loosepin_result::simulation::Drawing;
 use loosepin_simulate::accuracy::{AskedPose, Scatter, ScatterCorrelation};
 use loosepin_text::diagnostics::Diagnostics;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 impl InputFile {
     /// The ideal motion over one turn in `positions` steps, in space in those of its file, with the quasi-static answer to first order; `set` are settings `path=value`. Clearances
@@ -82,7 +83,13 @@ impl InputFile {
         let request = MotionRequest { has_worst_cases: true, ..self.request(positions, set, paths, stop) };
         let mut record = self.model().motion(&request)?;
         if let InputFile::Study(study) = self {
-            let Judgement { requirements, allowances } = judge(study, positions, set, stop)?;
+            let Judgement { requirements, allowances } = match study.model.play_proofs() {
+                Some(proofs) => {
+                    let settings = (set, request.settings.as_slice());
+                    judge_by_play(study, proofs, settings, &|| stop.load(Ordering::Relaxed))?
+                }
+                None => judge(study, positions, set, stop)?,
+            };
             (record.requirements, record.allowances) = (requirements, allowances);
         }
         Ok(record)

@@ -43,13 +43,17 @@ pub(crate) fn judge(
     let mut model = study.model.clone();
     let values = &model.take_settings(set)?;
     let Some(proofs) = model.deviation_proofs() else { return Ok(Judgement::default()) };
-    let is_set = |path: &str| set.iter().any(|text| text.split_once('=').is_some_and(|(own, _)| own.trim() == path));
-    let mut limits = study.input_limits();
-    limits.retain(|input| !is_set(&input.path));
+    let limits = limits_unless_set(study, set);
     let judge = Judge { study, model: &model, proofs, values, positions, stop };
     let requirements = judge.requirements(&limits).map_err(|error| own.diagnostic(&error))?;
     let allowances = judge.allowances(&limits).map_err(|error| own.diagnostic(&error))?;
     Ok(Judgement { requirements, allowances })
+}
+
+/// The limits of all inputs but those that `set` gives a value.
+pub(super) fn limits_unless_set(study: &Study, set: &[String]) -> Vec<InputLimits> {
+    let is_set = |path: &str| set.iter().any(|text| text.split_once('=').is_some_and(|(own, _)| own.trim() == path));
+    study.input_limits().into_iter().filter(|input| !is_set(&input.path)).collect()
 }
 
 /// Index of the positions of a requirement among the questions.

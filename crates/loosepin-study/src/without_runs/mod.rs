@@ -3,5 +3,6 @@
 pub(crate) mod asked_poses;
 pub(crate) mod ideal_motion;
 pub(crate) mod judge;
+mod judge_by_play;
 pub(crate) mod proven_ends;
 pub(crate) mod widest_play;

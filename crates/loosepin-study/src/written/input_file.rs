@@ -69,8 +69,16 @@ impl InputFile {
     /// # Errors
     /// It is a study; the model is in space.
     pub fn into_model(self) -> Result<Model, Diagnostics> {
+        self.into_any_model()?.into_planar()
+    }
+
+    /// The model, in the plane or in space.
+    ///
+    /// # Errors
+    /// It is a study.
+    pub fn into_any_model(self) -> Result<StudyModel, Diagnostics> {
         match self {
-            InputFile::Model(model) => model.into_planar(),
+            InputFile::Model(model) => Ok(model),
             InputFile::Study(study) => {
                 let problem = InputFileProblem::StudyForModel { model: study.model_path.display().to_string() };
                 Err(Diagnostics::one(&problem, Some(Place::new(study.source(), 0..0))))

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use crate::file::Study;
-use loosepin_mechanics::model::Model;
+use crate::model::StudyModel;
 use loosepin_text::diagnostics::{Diagnostics, Source};
 
 /// A text, and the name that it is reported by.
@@ -46,16 +46,16 @@ impl Study {
 }
 
 /// The text of the file of `model`, and the tables that it names.
-pub fn model_texts(model: &Model) -> (NamedText, Vec<NamedText>) {
+pub fn model_texts(model: &StudyModel) -> (NamedText, Vec<NamedText>) {
     (named_text(model.source()), model.tables().iter().map(named_text).collect())
 }
 
 /// The model that has these texts; no file is opened.
 ///
 /// # Errors
-/// As for [`Model::from_path`]; a table that is not among the texts.
-pub fn model_from_texts(model: &NamedText, tables: &[NamedText]) -> Result<Model, Diagnostics> {
-    Model::from_source(with_tables(model, tables))
+/// As for [`StudyModel::from_source`]; a table that is not among the texts.
+pub fn model_from_texts(model: &NamedText, tables: &[NamedText]) -> Result<StudyModel, Diagnostics> {
+    StudyModel::from_source(with_tables(model, tables))
 }
 
 fn named_text(source: &Arc<Source>) -> NamedText {

@@ -63,6 +63,8 @@ class OutputMotion(Record):
     """Standard deviation by the random inputs of a study; empty without a study."""
     joints: dict[str, Array]
     """Part of each joint with play in `first_order`, by its name."""
+    searched: tuple[dict[str, Any], ...]
+    """In space, in place of `worst_case`, `found` and `proven`: searches where `first_order` is largest, as in `summary.json`; empty in the plane."""
     dimensions: dict[str, Array]
     """Standard deviation by each random input of a study alone, by its path."""
 
@@ -269,6 +271,7 @@ def _output(record: dict[str, Any]) -> OutputMotion:
         rim_standard_deviation=numbers(clearance["rim_standard_deviation_si"]),
         dimensional_standard_deviation=numbers(record["dimensional_standard_deviation_si"]),
         joints={each["joint"]: numbers(each["first_order_si"]) for each in clearance["contributors"]},
+        searched=tuple(clearance.get("searched", [])),
         dimensions={each["path"]: numbers(each["standard_deviation_si"]) for each in record["dimensional_contributors"]},
     )
 
