@@ -11,6 +11,9 @@ use loosepin_space::{PlayDistribution, PoseAccuracy, SearchOptions, SpatialOutpu
 /// Relative difference of effects that is round-off.
 const SAME: f64 = 1e-9;
 
+/// Places of the readings that an output is made of, and their weights.
+type Weights = Vec<(usize, f64)>;
+
 /// Fills the answers of a mechanism in space.
 pub(super) struct Together<'a> {
     space: InSpace<'a>,
@@ -32,7 +35,7 @@ impl<'a> Together<'a> {
     pub fn record(
         &mut self,
         state: &IdealMotion<'_>,
-        (readings, weights): (&[Position], &[Vec<(usize, f64)>]),
+        (readings, weights): (&[Position], &[Weights]),
         (paths, jets): (&mut PathRecorder, &[[f64; 3]]),
         outputs: &mut [OutputMotion],
     ) -> Result<(), String> {
