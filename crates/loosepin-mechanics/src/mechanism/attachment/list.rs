@@ -5,7 +5,7 @@ macro_rules! attachments {
         $(#[$doc])*
         #[derive(Debug, Clone, Copy, PartialEq, Eq)]
         pub enum $name {
-            $(#[doc = concat!("See [`", stringify!($kind), "`].")] $kind($kind),)*
+            $(#[doc = concat!("See `", stringify!($kind), "`.")] $kind($kind),)*
         }
 
         $(impl From<$kind> for $name {

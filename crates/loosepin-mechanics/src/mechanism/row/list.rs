@@ -4,7 +4,7 @@ macro_rules! rows_at {
     ($(#[$doc:meta])* $name:ident over $geometry:ident { $($row:ident),* $(,)? }) => {
         $(#[$doc])*
         pub enum $name<T: loosepin_math::Real> {
-            $(#[doc = concat!("See [`", stringify!($row), "`].")] $row($row<T, $geometry>),)*
+            $(#[doc = concat!("See `", stringify!($row), "`.")] $row($row<T, $geometry>),)*
         }
 
         impl<T: loosepin_math::Real> $crate::mechanism::row::RowAt<T, $geometry> for $name<T> {
