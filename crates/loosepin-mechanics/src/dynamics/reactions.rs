@@ -3,7 +3,7 @@
 use super::equations::Dynamics;
 use crate::dynamics::play::contact_motion::ContactMotion;
 use crate::dynamics::play::flanks;
-use crate::mechanism::{CouplingGeometry, CouplingPlace, Cut, acceleration_at, constraints};
+use crate::mechanism::{CouplingGeometry, CouplingPlace, Cut, acceleration_at, cut_forces_n};
 use crate::model::{JointId, PlayId};
 use loosepin_math::{Real, Vec2, solve_ldl};
 
@@ -206,7 +206,7 @@ impl<T: Real> Dynamics<'_, T> {
     /// Forces of the cut joints on their second bodies, N: of the constraints, and friction along guides.
     fn cut_forces_n(&self) -> Vec<Vec2<T>> {
         let (tree, model) = (&self.mechanism.real, &self.mechanism.model);
-        let forces = constraints::cut_forces_n(tree, &self.sample.real, &self.kinematics, &self.equations.multipliers);
+        let forces = cut_forces_n(tree, &self.sample.real, &self.kinematics, &self.equations.multipliers);
         let with_friction = |(cut, force_n): (&Cut, Vec2<T>)| {
             let has_line = model.joints[cut.joint.0].kind.line().is_some();
             if has_line { force_n + self.guide_friction_n(cut.joint) } else { force_n }

@@ -2,12 +2,10 @@
 //! nothing is singular. In the plane it would be the revolute joint that turns alone.
 
 use super::form::{FormOfAttachment, TreeGeometry};
-use super::kind::{Columns, KindOfAttachment, Place, Rates, about_point};
+use super::kind::{Columns, Hung, KindOfAttachment, Place, Rates, about_point};
 use crate::mechanism::tree::kinematics::{Kinematics, Pose, Twist};
 use crate::mechanism::tree::numbers::LinkNumbers;
-use crate::mechanism::tree::spanning_tree::Tree;
 use crate::model::JointId;
-use core::ops::Range;
 use loosepin_math::Real;
 
 /// By a ball.
@@ -26,14 +24,8 @@ impl<G: TreeGeometry> FormOfAttachment<G> for Ball {
     fn counts(&self) -> [usize; 2] {
         [G::ORIENTATION_COORDINATES, G::ORIENTATION_SPEEDS]
     }
-    fn lengths(&self) -> Range<usize> {
-        0..0
-    }
     fn angle(&self) -> Option<usize> {
         (G::ORIENTATION_COORDINATES == 1).then_some(0)
-    }
-    fn turns(&self) -> bool {
-        true
     }
     fn turns_alone(&self) -> bool {
         true
@@ -42,32 +34,23 @@ impl<G: TreeGeometry> FormOfAttachment<G> for Ball {
 
 impl<G: TreeGeometry> KindOfAttachment<G> for Ball {
     #[inline(always)]
-    fn pose<T: Real>(
+    fn hang<T: Real>(
         &self,
         place: &Place<'_, T, G>,
         parent: &Pose<T, G>,
-        own: &[T],
-        _: &[T],
+        (own, _): (&[T], &[T]),
         sin_cos: impl Fn(T) -> (T, T),
-    ) -> Pose<T, G> {
+        Columns { linear, turnings }: Columns<'_, T, G>,
+    ) -> Hung<T, G> {
         let numbers = place.of_link();
         let rotation = G::oriented(own, sin_cos);
-        let at_joint_m = parent.position_m + parent.turn(numbers.parent_arm_m) + numbers.eccentricity_m;
-        Pose { position_m: at_joint_m - G::turn(&rotation, numbers.own_arm_m), rotation }
-    }
-    #[inline(always)]
-    fn columns<T: Real>(
-        &self,
-        place: &Place<'_, T, G>,
-        [_, own]: [&Pose<T, G>; 2],
-        _: &[T],
-        Columns { linear, turnings }: Columns<'_, T, G>,
-    ) {
-        let arm_m = -own.turn(place.of_link().own_arm_m);
-        turnings.copy_from_slice(G::turnings(&own.rotation).as_ref());
+        let (reach_m, own_arm_m) = (parent.turn(numbers.parent_arm_m), G::turn(&rotation, numbers.own_arm_m));
+        turnings.copy_from_slice(G::turnings(&rotation).as_ref());
         for (linear, turning) in linear.iter_mut().zip(turnings) {
-            *linear = G::swung(*turning, arm_m);
+            *linear = G::swung(*turning, -own_arm_m);
         }
+        let position_m = parent.position_m + reach_m + numbers.eccentricity_m - own_arm_m;
+        Hung { pose: Pose { position_m, rotation }, reach_m }
     }
     #[inline(always)]
     fn bias<T: Real>(&self, place: &Place<'_, T, G>, kinematics: &Kinematics<T, G>, _: Rates<'_, T>) -> Twist<T, G> {
@@ -86,8 +69,5 @@ impl<G: TreeGeometry> KindOfAttachment<G> for Ball {
     #[inline(always)]
     fn coordinate_rates<T: Real>(&self, own: &[T], speeds: &[T], rates: &mut [T]) {
         G::orientation_rates(own, speeds, rates);
-    }
-    fn first_turnings<T: Real>(&self, _: &Tree<G>) -> Vec<G::Turning<T>> {
-        vec![G::still(); G::ORIENTATION_SPEEDS]
     }
 }

@@ -17,20 +17,30 @@ pub trait TreeGeometry: Geometry {
 pub trait FormOfAttachment<G: Geometry>: Copy + Debug {
     /// The joint by which the body hangs on its parent, and whether the parent is the joint's first body; `None` for a body that hangs on
     /// nothing or is a section of a beam.
-    fn joint(&self) -> Option<(JointId, bool)>;
+    fn joint(&self) -> Option<(JointId, bool)> {
+        None
+    }
 
     /// How many coordinates, and how many speeds, it adds.
     fn counts(&self) -> [usize; 2];
 
-    /// Which of its coordinates are lengths.
-    fn lengths(&self) -> Range<usize>;
+    /// Which of its coordinates are lengths; none if not said otherwise.
+    fn lengths(&self) -> Range<usize> {
+        0..0
+    }
 
     /// Which of its coordinates is the angle of the body from the ground, where one is.
-    fn angle(&self) -> Option<usize>;
+    fn angle(&self) -> Option<usize> {
+        None
+    }
 
     /// Whether the body may turn against its parent, so that its orientation has sines and cosines of its own.
-    fn turns(&self) -> bool;
+    fn turns(&self) -> bool {
+        true
+    }
 
     /// Whether its spin does not depend on that of its parent: the columns that it inherits turn it no more.
-    fn turns_alone(&self) -> bool;
+    fn turns_alone(&self) -> bool {
+        false
+    }
 }

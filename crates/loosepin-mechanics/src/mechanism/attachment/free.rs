@@ -1,11 +1,9 @@
 //! A body that hangs on nothing: the coordinates are the position of its frame, m, and its orientation.
 
 use super::form::{FormOfAttachment, TreeGeometry};
-use super::kind::{Columns, KindOfAttachment, Place, Rates};
+use super::kind::{Columns, Hung, KindOfAttachment, Place, Rates};
 use crate::mechanism::tree::kinematics::{Kinematics, Pose, Twist};
 use crate::mechanism::tree::numbers::LinkNumbers;
-use crate::mechanism::tree::spanning_tree::Tree;
-use crate::model::JointId;
 use core::ops::Range;
 use loosepin_math::{Real, Vector};
 
@@ -14,9 +12,6 @@ use loosepin_math::{Real, Vector};
 pub struct Free;
 
 impl<G: TreeGeometry> FormOfAttachment<G> for Free {
-    fn joint(&self) -> Option<(JointId, bool)> {
-        None
-    }
     fn counts(&self) -> [usize; 2] {
         [G::ORIENTATION_COORDINATES, G::ORIENTATION_SPEEDS].map(|count| G::POSITION + count)
     }
@@ -26,9 +21,6 @@ impl<G: TreeGeometry> FormOfAttachment<G> for Free {
     fn angle(&self) -> Option<usize> {
         (G::ORIENTATION_COORDINATES == 1).then_some(G::POSITION)
     }
-    fn turns(&self) -> bool {
-        true
-    }
     fn turns_alone(&self) -> bool {
         true
     }
@@ -36,28 +28,20 @@ impl<G: TreeGeometry> FormOfAttachment<G> for Free {
 
 impl<G: TreeGeometry> KindOfAttachment<G> for Free {
     #[inline(always)]
-    fn pose<T: Real>(
+    fn hang<T: Real>(
         &self,
         _: &Place<'_, T, G>,
         _: &Pose<T, G>,
-        own: &[T],
-        _: &[T],
+        (own, _): (&[T], &[T]),
         sin_cos: impl Fn(T) -> (T, T),
-    ) -> Pose<T, G> {
-        Pose { position_m: G::position(&own[..G::POSITION]), rotation: G::oriented(&own[G::POSITION..], sin_cos) }
-    }
-    #[inline(always)]
-    fn columns<T: Real>(
-        &self,
-        _: &Place<'_, T, G>,
-        [_, own]: [&Pose<T, G>; 2],
-        _: &[T],
         Columns { linear, turnings }: Columns<'_, T, G>,
-    ) {
+    ) -> Hung<T, G> {
+        let rotation = G::oriented(&own[G::POSITION..], sin_cos);
         for (index, linear) in linear.iter_mut().enumerate() {
             *linear = if index < G::POSITION { G::unit(index) } else { G::Vector::zero() };
         }
-        turnings[G::POSITION..].copy_from_slice(G::turnings(&own.rotation).as_ref());
+        turnings[G::POSITION..].copy_from_slice(G::turnings(&rotation).as_ref());
+        Hung { pose: Pose { position_m: G::position(&own[..G::POSITION]), rotation }, reach_m: G::Vector::zero() }
     }
     #[inline(always)]
     fn bias<T: Real>(&self, _: &Place<'_, T, G>, _: &Kinematics<T, G>, _: Rates<'_, T>) -> Twist<T, G> {
@@ -80,8 +64,5 @@ impl<G: TreeGeometry> KindOfAttachment<G> for Free {
     fn coordinate_rates<T: Real>(&self, own: &[T], speeds: &[T], rates: &mut [T]) {
         rates[..G::POSITION].copy_from_slice(&speeds[..G::POSITION]);
         G::orientation_rates(&own[G::POSITION..], &speeds[G::POSITION..], &mut rates[G::POSITION..]);
-    }
-    fn first_turnings<T: Real>(&self, _: &Tree<G>) -> Vec<G::Turning<T>> {
-        vec![G::still(); G::POSITION + G::ORIENTATION_SPEEDS]
     }
 }

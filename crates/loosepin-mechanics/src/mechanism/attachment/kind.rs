@@ -59,26 +59,35 @@ pub struct Columns<'a, T: Real, G: Geometry> {
     pub turnings: &'a mut [G::Turning<T>],
 }
 
+/// Where a body is.
+pub struct Hung<T: Real, G: Geometry> {
+    /// Its pose.
+    pub pose: Pose<T, G>,
+    /// The way from the origin of its parent to the point that the parent carries, in the ground's frame, m: where it turns alone that of the
+    /// joint, else its own origin. A body that hangs on nothing has none.
+    pub reach_m: G::Vector<T>,
+}
+
+impl<T: Real, G: Geometry> Hung<T, G> {
+    /// As part of its parent, with which it turns.
+    #[inline(always)]
+    pub(super) fn with(parent: &Pose<T, G>, pose: Pose<T, G>) -> Self {
+        Self { pose, reach_m: pose.position_m - parent.position_m }
+    }
+}
+
 /// How a body hangs on its parent: a kind of attachment.
 pub trait KindOfAttachment<G: TreeGeometry>: FormOfAttachment<G> {
-    /// Where the body is. `own` are its coordinates, `coordinates` those of all of the tree.
-    fn pose<T: Real>(
+    /// Where the body is; into `columns` go its velocities for unit rates of its own coordinates, while the parent stands still. `own_and_all` are its
+    /// coordinates and those of all of the tree.
+    fn hang<T: Real>(
         &self,
         place: &Place<'_, T, G>,
         parent: &Pose<T, G>,
-        own: &[T],
-        coordinates: &[T],
+        own_and_all: (&[T], &[T]),
         sin_cos: impl Fn(T) -> (T, T),
-    ) -> Pose<T, G>;
-
-    /// Its velocities for unit rates of its own coordinates, while the parent stands still.
-    fn columns<T: Real>(
-        &self,
-        place: &Place<'_, T, G>,
-        poses: [&Pose<T, G>; 2],
-        coordinates: &[T],
         columns: Columns<'_, T, G>,
-    );
+    ) -> Hung<T, G>;
 
     /// Its acceleration when the free coordinates have none.
     fn bias<T: Real>(&self, place: &Place<'_, T, G>, kinematics: &Kinematics<T, G>, rates: Rates<'_, T>)
@@ -92,7 +101,9 @@ pub trait KindOfAttachment<G: TreeGeometry>: FormOfAttachment<G> {
         own: (&Pose<f64, G>, &Twist<f64, G>),
         coordinates: &mut [f64],
         rates: &mut [f64],
-    );
+    ) {
+        let _ = (numbers, parent, own, coordinates, rates);
+    }
 
     /// Rates of its own coordinates for its speeds: the speeds themselves but for a quaternion.
     fn coordinate_rates<T: Real>(&self, own: &[T], speeds: &[T], rates: &mut [T]) {
@@ -100,8 +111,11 @@ pub trait KindOfAttachment<G: TreeGeometry>: FormOfAttachment<G> {
         rates.copy_from_slice(speeds);
     }
 
-    /// Turnings for unit rates of its own coordinates where they are the same in all positions; of others, none.
-    fn first_turnings<T: Real>(&self, tree: &Tree<G>) -> Vec<G::Turning<T>>;
+    /// Turnings for unit rates of its own coordinates where [`Self::hang`] leaves them, since they are the same in all positions.
+    fn first_turnings<T: Real>(&self, tree: &Tree<G>) -> Vec<G::Turning<T>> {
+        let _ = tree;
+        vec![G::still(); self.counts()[1]]
+    }
 }
 
 /// Acceleration of a body that turns about a point of its parent: with its own angular acceleration where `spin` is one.

@@ -38,25 +38,15 @@ macro_rules! attachments {
 
         impl $crate::mechanism::attachment::KindOfAttachment<$geometry> for $name {
             #[inline(always)]
-            fn pose<T: loosepin_math::Real>(
+            fn hang<T: loosepin_math::Real>(
                 &self,
                 place: &$crate::mechanism::attachment::Place<'_, T, $geometry>,
                 parent: &$crate::mechanism::Pose<T, $geometry>,
-                own: &[T],
-                coordinates: &[T],
+                coordinates: (&[T], &[T]),
                 sin_cos: impl Fn(T) -> (T, T),
-            ) -> $crate::mechanism::Pose<T, $geometry> {
-                match self { $(Self::$kind(kind) => kind.pose(place, parent, own, coordinates, sin_cos),)* }
-            }
-            #[inline(always)]
-            fn columns<T: loosepin_math::Real>(
-                &self,
-                place: &$crate::mechanism::attachment::Place<'_, T, $geometry>,
-                poses: [&$crate::mechanism::Pose<T, $geometry>; 2],
-                coordinates: &[T],
                 columns: $crate::mechanism::attachment::Columns<'_, T, $geometry>,
-            ) {
-                match self { $(Self::$kind(kind) => kind.columns(place, poses, coordinates, columns),)* }
+            ) -> $crate::mechanism::attachment::Hung<T, $geometry> {
+                match self { $(Self::$kind(kind) => kind.hang(place, parent, coordinates, sin_cos, columns),)* }
             }
             #[inline(always)]
             fn bias<T: loosepin_math::Real>(

@@ -18,7 +18,7 @@ mod space;
 pub use ball::Ball;
 pub use form::{FormOfAttachment, TreeGeometry};
 pub use free::Free;
-pub use kind::{Columns, KindOfAttachment, MovingGeometry, Place, Rates};
+pub use kind::{Columns, Hung, KindOfAttachment, MovingGeometry, Place, Rates};
 pub use node::Node;
 pub use plane::PlaneAttachment;
 pub use prismatic::Prismatic;

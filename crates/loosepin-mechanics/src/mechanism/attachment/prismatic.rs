@@ -1,10 +1,9 @@
 //! A body that hangs by a prismatic joint: the coordinate is the displacement s of the slider point along the guide's line, m.
 
 use super::form::{FormOfAttachment, TreeGeometry};
-use super::kind::{Columns, KindOfAttachment, Place, Rates, carried};
+use super::kind::{Columns, Hung, KindOfAttachment, Place, Rates, carried};
 use crate::mechanism::tree::kinematics::{Kinematics, Pose, Twist};
 use crate::mechanism::tree::numbers::LinkNumbers;
-use crate::mechanism::tree::spanning_tree::Tree;
 use crate::model::JointId;
 use core::ops::Range;
 use loosepin_math::{Real, Vector};
@@ -28,45 +27,29 @@ impl<G: TreeGeometry> FormOfAttachment<G> for Prismatic {
     fn lengths(&self) -> Range<usize> {
         0..1
     }
-    fn angle(&self) -> Option<usize> {
-        None
-    }
     fn turns(&self) -> bool {
-        false
-    }
-    fn turns_alone(&self) -> bool {
         false
     }
 }
 
 impl<G: TreeGeometry> KindOfAttachment<G> for Prismatic {
     #[inline(always)]
-    fn pose<T: Real>(
+    fn hang<T: Real>(
         &self,
         place: &Place<'_, T, G>,
         parent: &Pose<T, G>,
-        own: &[T],
-        _: &[T],
+        (own, _): (&[T], &[T]),
         _: impl Fn(T) -> (T, T),
-    ) -> Pose<T, G> {
+        Columns { linear, turnings }: Columns<'_, T, G>,
+    ) -> Hung<T, G> {
         let numbers = place.of_link();
         let line = G::line(&parent.rotation, &numbers.mount);
         let line = if self.forward { line } else { -line };
+        (linear[0], turnings[0]) = (line, G::still());
         let rotation = G::fixed(&parent.rotation, &numbers.mount);
         let at_joint_m = parent.position_m + parent.turn(numbers.parent_arm_m);
-        Pose { position_m: at_joint_m + line * own[0] - G::turn(&rotation, numbers.own_arm_m), rotation }
-    }
-    #[inline(always)]
-    fn columns<T: Real>(
-        &self,
-        place: &Place<'_, T, G>,
-        [parent, _]: [&Pose<T, G>; 2],
-        _: &[T],
-        Columns { linear, turnings }: Columns<'_, T, G>,
-    ) {
-        let line = G::line(&parent.rotation, &place.of_link().mount);
-        linear[0] = if self.forward { line } else { -line };
-        turnings[0] = G::still();
+        let position_m = at_joint_m + line * own[0] - G::turn(&rotation, numbers.own_arm_m);
+        Hung::with(parent, Pose { position_m, rotation })
     }
     #[inline(always)]
     fn bias<T: Real>(
@@ -99,8 +82,5 @@ impl<G: TreeGeometry> KindOfAttachment<G> for Prismatic {
         coordinates[0] = line.inner(gap_m);
         // The line turns with the guide.
         rates[0] = line.inner(gap_rate_m_s) + G::triple(parent_twist.angular, line, gap_m);
-    }
-    fn first_turnings<T: Real>(&self, _: &Tree<G>) -> Vec<G::Turning<T>> {
-        vec![G::still()]
     }
 }

@@ -5,12 +5,10 @@
 //! joint from the first, as a drive gives it.
 
 use super::form::{FormOfAttachment, TreeGeometry};
-use super::kind::{Columns, KindOfAttachment, Place, Rates, about_point};
+use super::kind::{Columns, Hung, KindOfAttachment, Place, Rates, about_point};
 use crate::mechanism::tree::kinematics::{Kinematics, Pose, Twist};
 use crate::mechanism::tree::numbers::LinkNumbers;
-use crate::mechanism::tree::spanning_tree::Tree;
 use crate::model::JointId;
-use core::ops::Range;
 use loosepin_math::Real;
 
 /// By a revolute joint.
@@ -38,14 +36,8 @@ impl<G: TreeGeometry> FormOfAttachment<G> for Revolute {
     fn counts(&self) -> [usize; 2] {
         [1, 1]
     }
-    fn lengths(&self) -> Range<usize> {
-        0..0
-    }
     fn angle(&self) -> Option<usize> {
         self.turns_alone.then_some(0)
-    }
-    fn turns(&self) -> bool {
-        true
     }
     fn turns_alone(&self) -> bool {
         self.turns_alone
@@ -54,31 +46,23 @@ impl<G: TreeGeometry> FormOfAttachment<G> for Revolute {
 
 impl<G: TreeGeometry> KindOfAttachment<G> for Revolute {
     #[inline(always)]
-    fn pose<T: Real>(
+    fn hang<T: Real>(
         &self,
         place: &Place<'_, T, G>,
         parent: &Pose<T, G>,
-        own: &[T],
-        _: &[T],
+        (own, _): (&[T], &[T]),
         sin_cos: impl Fn(T) -> (T, T),
-    ) -> Pose<T, G> {
+        Columns { linear, turnings }: Columns<'_, T, G>,
+    ) -> Hung<T, G> {
         let numbers = place.of_link();
         let angle_rad = if self.is_reversed() { -own[0] } else { own[0] };
         let rotation = G::revolved(&parent.rotation, &numbers.mount, angle_rad, self.turns_alone, sin_cos);
-        let at_joint_m = parent.position_m + parent.turn(numbers.parent_arm_m) + numbers.eccentricity_m;
-        Pose { position_m: at_joint_m - G::turn(&rotation, numbers.own_arm_m), rotation }
-    }
-    #[inline(always)]
-    fn columns<T: Real>(
-        &self,
-        place: &Place<'_, T, G>,
-        [parent, own]: [&Pose<T, G>; 2],
-        _: &[T],
-        Columns { linear, turnings }: Columns<'_, T, G>,
-    ) {
-        let numbers = place.of_link();
+        let (parent_arm_m, own_arm_m) = (parent.turn(numbers.parent_arm_m), G::turn(&rotation, numbers.own_arm_m));
         turnings[0] = G::axis(&parent.rotation, &numbers.mount, self.turns_alone, self.is_reversed());
-        linear[0] = G::swung(turnings[0], -own.turn(numbers.own_arm_m));
+        linear[0] = G::swung(turnings[0], -own_arm_m);
+        let position_m = parent.position_m + parent_arm_m + numbers.eccentricity_m - own_arm_m;
+        let pose = Pose { position_m, rotation };
+        if self.turns_alone { Hung { pose, reach_m: parent_arm_m } } else { Hung::with(parent, pose) }
     }
     #[inline(always)]
     fn bias<T: Real>(
@@ -109,8 +93,5 @@ impl<G: TreeGeometry> KindOfAttachment<G> for Revolute {
         let [angle_rad, rate_rad_s] = G::angle_between(rotations, spins, &numbers.mount, self.turns_alone);
         let sign = if self.is_reversed() { -1.0 } else { 1.0 };
         (coordinates[0], rates[0]) = (sign * angle_rad, sign * rate_rad_s);
-    }
-    fn first_turnings<T: Real>(&self, _: &Tree<G>) -> Vec<G::Turning<T>> {
-        vec![G::still()]
     }
 }

@@ -1,13 +1,10 @@
 //! A section of a beam at an end or at a point inside, on the frame of its body: the frame of the body as this section carries it. In the plane.
 
 use super::form::FormOfAttachment;
-use super::kind::{Columns, KindOfAttachment, Place, Rates};
+use super::kind::{Columns, Hung, KindOfAttachment, Place, Rates};
 use crate::mechanism::tree::beam::BeamPlace;
 use crate::mechanism::tree::kinematics::{Kinematics, Pose, Twist};
-use crate::mechanism::tree::numbers::LinkNumbers;
 use crate::mechanism::tree::spanning_tree::Tree;
-use crate::model::JointId;
-use core::ops::Range;
 use loosepin_math::{Geometry, Plane, Real, Vec2};
 
 /// A section of a beam.
@@ -20,59 +17,29 @@ pub struct Section {
 }
 
 impl FormOfAttachment<Plane> for Section {
-    fn joint(&self) -> Option<(JointId, bool)> {
-        None
-    }
     /// Those of the shapes are the beam's, which counts them.
     fn counts(&self) -> [usize; 2] {
         [0, 0]
-    }
-    fn lengths(&self) -> Range<usize> {
-        0..0
-    }
-    fn angle(&self) -> Option<usize> {
-        None
-    }
-    fn turns(&self) -> bool {
-        true
-    }
-    fn turns_alone(&self) -> bool {
-        false
     }
 }
 
 /// Out of line: few mechanisms have a section.
 impl KindOfAttachment<Plane> for Section {
     #[inline(never)]
-    fn pose<T: Real>(
+    fn hang<T: Real>(
         &self,
         place: &Place<'_, T, Plane>,
         frame: &Pose<T>,
-        _: &[T],
-        coordinates: &[T],
+        (_, coordinates): (&[T], &[T]),
         sin_cos: impl Fn(T) -> (T, T),
-    ) -> Pose<T> {
+        Columns { linear, turnings }: Columns<'_, T, Plane>,
+    ) -> Hung<T, Plane> {
         let (beam, numbers) = (&place.tree.beams[self.beam], &place.numbers.beams[self.beam]);
         let (station, q) = (beam.station(self.place), &coordinates[beam.coordinates.clone()]);
         let axis = frame.turn(numbers.axis);
         let rotation = Plane::oriented(&[frame.angle_rad() + numbers.beam.angle_rad(station, q)], sin_cos);
         let from_root_m = numbers.beam.point_m(station, q).rotated(axis.y, axis.x);
         let arm = Plane::turn(&rotation, numbers.axis_point_m(beam, self.place));
-        let position_m = frame.position_m + frame.turn(numbers.root_m) + from_root_m - arm;
-        Pose { position_m, rotation }
-    }
-    #[inline(never)]
-    fn columns<T: Real>(
-        &self,
-        place: &Place<'_, T, Plane>,
-        [frame, own]: [&Pose<T>; 2],
-        coordinates: &[T],
-        Columns { linear, turnings }: Columns<'_, T, Plane>,
-    ) {
-        let (beam, numbers) = (&place.tree.beams[self.beam], &place.numbers.beams[self.beam]);
-        let (station, q) = (beam.station(self.place), &coordinates[beam.coordinates.clone()]);
-        let axis = frame.turn(numbers.axis);
-        let arm = own.turn(numbers.axis_point_m(beam, self.place));
         match self.place {
             // The root does not move in the frame.
             BeamPlace::Root => linear.fill(Vec2::zero()),
@@ -81,6 +48,8 @@ impl KindOfAttachment<Plane> for Section {
         for (linear, turning) in linear.iter_mut().zip(turnings) {
             *linear = Plane::moved(linear.rotated(axis.y, axis.x), *turning, -arm);
         }
+        let position_m = frame.position_m + frame.turn(numbers.root_m) + from_root_m - arm;
+        Hung::with(frame, Pose { position_m, rotation })
     }
     #[inline(never)]
     fn bias<T: Real>(&self, place: &Place<'_, T, Plane>, kinematics: &Kinematics<T>, rates: Rates<'_, T>) -> Twist<T> {
@@ -99,17 +68,6 @@ impl KindOfAttachment<Plane> for Section {
         let linear = at_end.plus(arm.turned(), -bias.angular).plus(arm, own.angular.squared());
         Twist { linear, angular: bias.angular }
     }
-    /// Beams begin undeformed and at rest in their frames.
-    fn coordinates_between(
-        &self,
-        _: &LinkNumbers<f64>,
-        _: (&Pose<f64>, &Twist<f64>),
-        _: (&Pose<f64>, &Twist<f64>),
-        _: &mut [f64],
-        _: &mut [f64],
-    ) {
-    }
-
     /// φ' of the lateral shapes; the axial ones, which move all but the root, do not turn it.
     fn first_turnings<T: Real>(&self, tree: &Tree) -> Vec<f64> {
         let beam = &tree.beams[self.beam];

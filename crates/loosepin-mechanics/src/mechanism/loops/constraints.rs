@@ -1,14 +1,11 @@
 //! The constraints of ideal joints that close loops and of couplings: residual, Jacobian and acceleration bias.
 
-use crate::mechanism::row::{
-    CutState, RowAt, RowGeometry, cut_biases, cut_gradient, cut_jacobian, cut_residuals, turn_rad,
-};
-use crate::mechanism::tree::cut_numbers::CutNumbers;
+use crate::mechanism::row::{cut_biases, cut_gradient, cut_jacobian, cut_residuals, turn_rad};
 use crate::mechanism::tree::kinematics::Kinematics;
 use crate::mechanism::tree::numbers::TreeNumbers;
-use crate::mechanism::tree::spanning_tree::{Cut, Tree};
+use crate::mechanism::tree::spanning_tree::Tree;
 use crate::model::{JointId, Model, Row, describe_path};
-use loosepin_math::{Plane, Real, Vec2};
+use loosepin_math::{Real, Vec2};
 use loosepin_text::units::{Dimension, format_value};
 use std::fmt;
 
@@ -76,28 +73,6 @@ pub fn biases<T: Real>(tree: &Tree, geometry: &TreeNumbers<T>, kinematics: &Kine
     for ((places, numbers), out) in tree.couplings.iter().zip(&geometry.couplings).zip(&mut out[tree.cut_rows()..]) {
         *out = numbers.bias(places, kinematics);
     }
-}
-
-/// Forces of the cut joints on their second bodies at their points, N, for the multipliers of all constraints.
-pub fn cut_forces_n<T: Real>(
-    tree: &Tree,
-    geometry: &TreeNumbers<T>,
-    kinematics: &Kinematics<T>,
-    multipliers: &[T],
-) -> Vec<Vec2<T>> {
-    let mut first = 0;
-    let of_cut = |(cut, numbers): (&Cut, &CutNumbers<T>)| {
-        let poses = cut.slots.map(|slot| &kinematics.poses[slot]);
-        let gap_m = poses[1].point_m(numbers.arms_m[1]) - poses[0].point_m(numbers.arms_m[0]);
-        let state = CutState { numbers, poses, gap_m };
-        let forces_n = cut.rows.iter().map(|row| {
-            let own = first..first + row.count();
-            first = own.end;
-            Plane::row_at(*row, &state).force_n(&multipliers[own])
-        });
-        forces_n.reduce(|sum, force_n| sum + force_n).unwrap_or(Vec2::zero())
-    };
-    tree.cuts.iter().zip(&geometry.cuts).map(of_cut).collect()
 }
 
 /// The joint or coupling that imposes a constraint row.

@@ -27,5 +27,5 @@ mod space;
 pub(in crate::mechanism) use angle::turn_rad;
 pub use form::{CutMotion, CutState, RowAt, RowGeometry};
 pub(in crate::mechanism) use of_cuts::cut_gradient;
-pub use of_cuts::{cut_biases, cut_jacobian, cut_residuals};
+pub use of_cuts::{cut_biases, cut_forces_n, cut_jacobian, cut_residuals};
 pub(in crate::mechanism) use plane::displace;

@@ -6,27 +6,40 @@ use crate::mechanism::tree::kinematics::{Kinematics, acceleration_at};
 use crate::mechanism::tree::numbers::TreeNumbers;
 use crate::mechanism::tree::spanning_tree::{Cut, Tree};
 use crate::model::Row;
-use loosepin_math::Real;
+use core::ops::Range;
+use loosepin_math::{Real, Vector};
 
-/// Calls `with` for each condition of the cut joints, with its first scalar constraint.
+/// Calls `with` for each cut joint, with its first scalar constraint.
 #[inline(always)]
 fn for_each<T: Real, G: RowGeometry>(
     tree: &Tree<G>,
     numbers: &TreeNumbers<T, G>,
-    mut with: impl FnMut(&Cut<G>, &CutNumbers<T, G>, G::Row, usize),
+    mut with: impl FnMut(&Cut<G>, &CutNumbers<T, G>, usize),
 ) {
     let mut first = 0;
     for (cut, numbers) in tree.cuts.iter().zip(&numbers.cuts) {
-        for row in cut.rows {
-            with(cut, numbers, *row, first);
-            first += row.count();
-        }
+        with(cut, numbers, first);
+        first += cut.count();
+    }
+}
+
+/// Calls `with` for each condition of a cut joint at a state, with its scalar constraints.
+#[inline(always)]
+fn for_each_row<T: Real, G: RowGeometry>(
+    cut: &Cut<G>,
+    state: &CutState<'_, T, G>,
+    mut first: usize,
+    mut with: impl FnMut(G::RowAt<T>, Range<usize>),
+) {
+    for row in cut.rows {
+        with(G::row_at(*row, state), first..first + row.count());
+        first += row.count();
     }
 }
 
 /// Arms of the points of a cut from the origins of its bodies, in the ground's frame, m.
 #[inline(always)]
-pub(in crate::mechanism) fn arms_m<T: Real, G: RowGeometry>(
+fn arms_m<T: Real, G: RowGeometry>(
     cut: &Cut<G>,
     numbers: &CutNumbers<T, G>,
     kinematics: &Kinematics<T, G>,
@@ -34,9 +47,22 @@ pub(in crate::mechanism) fn arms_m<T: Real, G: RowGeometry>(
     [0, 1].map(|side| kinematics.poses[cut.slots[side]].turn(numbers.arms_m[side]))
 }
 
-/// A cut joint where the bodies are, with the arms of its points.
+/// A cut joint where the bodies are. Positions alone ask for no arms: the way is the difference of the points, whose last digits are others than
+/// those of [`state_of_arms`].
 #[inline(always)]
-pub(in crate::mechanism) fn state<'a, T: Real, G: RowGeometry>(
+fn state<'a, T: Real, G: RowGeometry>(
+    cut: &Cut<G>,
+    numbers: &'a CutNumbers<T, G>,
+    kinematics: &'a Kinematics<T, G>,
+) -> CutState<'a, T, G> {
+    let poses = cut.slots.map(|slot| &kinematics.poses[slot]);
+    let gap_m = poses[1].point_m(numbers.arms_m[1]) - poses[0].point_m(numbers.arms_m[0]);
+    CutState { numbers, poses, gap_m }
+}
+
+/// The same with the arms of its points.
+#[inline(always)]
+fn state_of_arms<'a, T: Real, G: RowGeometry>(
     cut: &Cut<G>,
     numbers: &'a CutNumbers<T, G>,
     kinematics: &'a Kinematics<T, G>,
@@ -55,11 +81,8 @@ pub fn cut_residuals<T: Real, G: RowGeometry>(
     kinematics: &Kinematics<T, G>,
     out: &mut [T],
 ) {
-    for_each(tree, numbers, |cut, numbers, row, first| {
-        let poses = cut.slots.map(|slot| &kinematics.poses[slot]);
-        let gap_m = poses[1].point_m(numbers.arms_m[1]) - poses[0].point_m(numbers.arms_m[0]);
-        let state = CutState { numbers, poses, gap_m };
-        G::row_at(row, &state).residuals(&mut out[first..first + row.count()]);
+    for_each(tree, numbers, |cut, numbers, first| {
+        for_each_row(cut, &state(cut, numbers, kinematics), first, |row, own| row.residuals(&mut out[own]));
     });
 }
 
@@ -72,19 +95,20 @@ pub fn cut_jacobian<T: Real, G: RowGeometry>(
     out: &mut [T],
 ) {
     let columns = tree.speeds();
-    for_each(tree, numbers, |cut, numbers, row, first| {
+    for_each(tree, numbers, |cut, numbers, first| {
         let arms_m = arms_m(cut, numbers, kinematics);
-        let at = G::row_at(row, &state(cut, numbers, kinematics, arms_m));
-        let mut rates = [T::zero(); MOST_SCALARS];
-        let rates = &mut rates[..row.count()];
-        for (side, sign) in [(0, -T::one()), (1, T::one())] {
-            for column in kinematics.columns(tree, cut.slots[side]) {
-                at.rates(|| column.at(arms_m[side]) * sign, side, G::spin(column.turning), rates);
-                for (k, rate) in rates.iter().enumerate() {
-                    out[(first + k) * columns + column.coordinate] += *rate;
+        for_each_row(cut, &state_of_arms(cut, numbers, kinematics, arms_m), first, |row, own| {
+            let mut rates = [T::zero(); MOST_SCALARS];
+            let rates = &mut rates[..own.len()];
+            for (side, sign) in [(0, -T::one()), (1, T::one())] {
+                for column in kinematics.columns(tree, cut.slots[side]) {
+                    row.rates(|| column.at(arms_m[side]) * sign, side, G::spin(column.turning), rates);
+                    for (scalar, rate) in own.clone().zip(rates.iter()) {
+                        out[scalar * columns + column.coordinate] += *rate;
+                    }
                 }
             }
-        }
+        });
     });
 }
 
@@ -99,17 +123,17 @@ pub(in crate::mechanism) fn cut_gradient<T: Real, G: RowGeometry>(
     motion: impl Fn(usize) -> (G::Vector<T>, G::Spin<T>),
     out: &mut [T],
 ) {
-    for_each(tree, numbers, |cut, numbers, row, first| {
+    for_each(tree, numbers, |cut, numbers, first| {
         let sides = cut.slots.map(&moves);
         if sides[0] == sides[1] {
             return;
         }
         let (side, sign) = if sides[1] { (1, T::one()) } else { (0, -T::one()) };
         let arms_m = arms_m(cut, numbers, kinematics);
-        let at = G::row_at(row, &state(cut, numbers, kinematics, arms_m));
         let (linear, spin) = motion(cut.slots[side]);
-        let velocity = || G::carried(linear, spin, arms_m[side]) * sign;
-        at.rates(velocity, side, spin, &mut out[first..first + row.count()]);
+        for_each_row(cut, &state_of_arms(cut, numbers, kinematics, arms_m), first, |row, own| {
+            row.rates(|| G::carried(linear, spin, arms_m[side]) * sign, side, spin, &mut out[own]);
+        });
     });
 }
 
@@ -121,7 +145,7 @@ pub fn cut_biases<T: Real, G: RowGeometry>(
     kinematics: &Kinematics<T, G>,
     out: &mut [T],
 ) {
-    for_each(tree, numbers, |cut, numbers, row, first| {
+    for_each(tree, numbers, |cut, numbers, first| {
         let arms_m = arms_m(cut, numbers, kinematics);
         let [twists, changes] = [&kinematics.twists, &kinematics.biases].map(|of| cut.slots.map(|slot| of[slot]));
         let accelerations = [0, 1].map(|side| acceleration_at(&changes[side], &twists[side], arms_m[side]));
@@ -131,7 +155,26 @@ pub fn cut_biases<T: Real, G: RowGeometry>(
             spins: twists.map(|twist| twist.angular),
             spin_rates: changes.map(|change| change.angular),
         };
-        let at = G::row_at(row, &state(cut, numbers, kinematics, arms_m));
-        at.biases(&motion, &mut out[first..first + row.count()]);
+        let state = state_of_arms(cut, numbers, kinematics, arms_m);
+        for_each_row(cut, &state, first, |row, own| row.biases(&motion, &mut out[own]));
     });
+}
+
+/// Forces of the cut joints on their second bodies at their points, N, for the multipliers of all constraints.
+pub fn cut_forces_n<T: Real, G: RowGeometry>(
+    tree: &Tree<G>,
+    numbers: &TreeNumbers<T, G>,
+    kinematics: &Kinematics<T, G>,
+    multipliers: &[T],
+) -> Vec<G::Vector<T>> {
+    let mut forces_n = Vec::with_capacity(tree.cuts.len());
+    for_each(tree, numbers, |cut, numbers, first| {
+        let mut sum: Option<G::Vector<T>> = None;
+        for_each_row(cut, &state(cut, numbers, kinematics), first, |row, own| {
+            let force_n = row.force_n(&multipliers[own]);
+            sum = Some(sum.map_or(force_n, |sum| sum + force_n));
+        });
+        forces_n.push(sum.unwrap_or(G::Vector::zero()));
+    });
+    forces_n
 }

@@ -1,9 +1,9 @@
 //! Poses, velocities and accelerations of all bodies from the coordinates of the tree, in every geometry.
 
-use crate::mechanism::attachment::{Columns, FormOfAttachment, KindOfAttachment, MovingGeometry, Place, Rates};
+use crate::mechanism::attachment::{Columns, FormOfAttachment, Hung, KindOfAttachment, MovingGeometry, Place, Rates};
 use crate::mechanism::tree::kinematics::{Kinematics, Pose, Twist};
 use crate::mechanism::tree::numbers::TreeNumbers;
-use crate::mechanism::tree::spanning_tree::Tree;
+use crate::mechanism::tree::spanning_tree::{Link, Tree};
 use loosepin_math::{KnownAngle, Real, Vector, sin_cos_near};
 
 impl<T: Real, G: MovingGeometry> Kinematics<T, G> {
@@ -43,27 +43,20 @@ impl<T: Real, G: MovingGeometry> Kinematics<T, G> {
             let parent = self.poses[link.parent_slot];
             let (is_near, known) = (self.is_near, &self.known[slot]);
             let sin_cos = |angle_rad: T| if is_near { sin_cos_near(angle_rad, known) } else { angle_rad.sin_cos() };
-            let own =
-                link.attachment.pose(&place, &parent, &coordinates[link.coordinates.clone()], coordinates, sin_cos);
-            self.poses[slot] = own;
-            self.carry_columns(tree, &place, &parent, &own);
+            let own = (&coordinates[link.coordinates.clone()], coordinates);
             let range = self.offsets[slot] + link.inherited..self.offsets[slot + 1];
             let columns = Columns { linear: &mut self.partials[range.clone()], turnings: &mut self.turnings[range] };
-            link.attachment.columns(&place, [&parent, &own], coordinates, columns);
+            let Hung { pose, reach_m } = link.attachment.hang(&place, &parent, own, sin_cos, columns);
+            self.poses[slot] = pose;
+            self.carry_columns(tree, link, slot, reach_m);
         }
     }
 
     /// The columns of the parent, carried to the body: with the point of the joint where it turns alone, else as part of the parent.
     #[inline(always)]
-    fn carry_columns(&mut self, tree: &Tree<G>, place: &Place<'_, T, G>, parent: &Pose<T, G>, own: &Pose<T, G>) {
-        let link = place.link();
-        if link.inherited == 0 {
-            return;
-        }
+    fn carry_columns(&mut self, tree: &Tree<G>, link: &Link<G>, slot: usize, reach_m: G::Vector<T>) {
         let turns_alone = link.attachment.turns_alone();
-        let reach_m =
-            if turns_alone { parent.turn(place.of_link().parent_arm_m) } else { own.position_m - parent.position_m };
-        let (from, to) = (self.offsets[link.parent_slot], self.offsets[place.slot]);
+        let (from, to) = (self.offsets[link.parent_slot], self.offsets[slot]);
         debug_assert!(
             tree.dependences(link.parent_slot).len() >= link.inherited,
             "a body inherits from its parent alone"
