@@ -16,7 +16,7 @@ mod scalar;
 
 pub use bracket::Bracket;
 pub use dual::Dual;
-pub use functions::angle::{KnownAngle, NEAR_RAD, sin_cos, sin_cos_near};
+pub use functions::angle::{KnownAngle, NEAR_RAD, sin_cos, sin_cos_by, sin_cos_near};
 pub use functions::arctangent::arctangent;
 pub use functions::exponential::{exponential, hyperbolic_tangent, logarithm_above_one, natural_logarithm, power};
 pub use functions::exponentials::exponentials;

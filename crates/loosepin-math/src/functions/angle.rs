@@ -93,6 +93,15 @@ pub fn sin_cos_near<T: Real>(angle_rad: T, known: &KnownAngle<T>) -> (T, T) {
     (known.sine + across, known.cosine + along)
 }
 
+/// Sine and cosine of an angle that is near a known one, where one is.
+#[inline(always)]
+pub fn sin_cos_by<T: Real>(angle_rad: T, near: Option<&KnownAngle<T>>) -> (T, T) {
+    match near {
+        Some(known) => sin_cos_near(angle_rad, known),
+        None => angle_rad.sin_cos(),
+    }
+}
+
 /// Σ c_k xᵏ by Horner's rule.
 #[inline(always)]
 fn polynomial<T: Real, const N: usize>(x: T, coefficients: &[f64; N]) -> T {

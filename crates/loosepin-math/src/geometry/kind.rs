@@ -3,7 +3,7 @@
 //! What is written over a [`Geometry`] is compiled for the [`Plane`](super::Plane) and for [`Space`](super::Space). Each operation of space is
 //! the sum of the plane with further terms, in the same order, so that a planar mechanism in space has the plane's bits.
 
-use crate::Real;
+use crate::{KnownAngle, Real};
 use core::fmt::Debug;
 use core::ops::{Add, Mul, Neg, Sub};
 
@@ -13,8 +13,8 @@ pub trait Vector<T: Real>:
 {
     /// The zero vector.
     fn zero() -> Self;
-    /// Component `index`: along x, y, and in space z.
-    fn component(&self, index: usize) -> T;
+    /// Writes its components along x, y, and in space z.
+    fn write(self, out: &mut [T]);
     /// a·b, its products fused.
     fn inner(self, other: Self) -> T;
     /// a·b + `addend`, its products fused.
@@ -59,14 +59,14 @@ pub trait Geometry: Copy + Debug + 'static {
     fn turn<T: Real>(rotation: &Self::Rotation<T>, vector: Self::Vector<T>) -> Self::Vector<T>;
     /// A vector of the ground, seen from the body.
     fn turn_back<T: Real>(rotation: &Self::Rotation<T>, vector: Self::Vector<T>) -> Self::Vector<T>;
-    /// The child of a revolute joint at an angle, rad: from the parent, or where it `turns_alone` from the ground. `sin_cos` gives sine and
+    /// The child of a revolute joint at an angle, rad: from the parent, or where it `turns_alone` from the ground. `near` is an angle near
     /// cosine of an angle.
     fn revolved<T: Real>(
         parent: &Self::Rotation<T>,
         mount: &Self::Mount<T>,
         angle_rad: T,
         turns_alone: bool,
-        sin_cos: impl Fn(T) -> (T, T),
+        near: Option<&KnownAngle<T>>,
     ) -> Self::Rotation<T>;
     /// The turning of a revolute joint about its axis.
     fn axis<T: Real>(
@@ -91,7 +91,7 @@ pub trait Geometry: Copy + Debug + 'static {
         turns_alone: bool,
     ) -> [f64; 2];
     /// An orientation of its own, by its coordinates: an angle, rad, or a unit quaternion (w, x, y, z).
-    fn oriented<T: Real>(coordinates: &[T], sin_cos: impl Fn(T) -> (T, T)) -> Self::Rotation<T>;
+    fn oriented<T: Real>(coordinates: &[T], near: Option<&KnownAngle<T>>) -> Self::Rotation<T>;
     /// The coordinates and speeds of an orientation with this spin.
     fn orientation(rotation: &Self::Rotation<f64>, spin: &Self::Spin<f64>, coordinates: &mut [f64], speeds: &mut [f64]);
     /// The turnings of the speeds of such an orientation: about the axes of the body.

@@ -2,7 +2,7 @@
 
 use super::kind::{Geometry, Vector};
 use super::vec2::Vec2;
-use crate::{Real, numbers, sin_cos};
+use crate::{KnownAngle, Real, numbers, sin_cos, sin_cos_by};
 
 impl<T: Real> Vector<T> for Vec2<T> {
     #[inline(always)]
@@ -10,8 +10,8 @@ impl<T: Real> Vector<T> for Vec2<T> {
         Self::zero()
     }
     #[inline(always)]
-    fn component(&self, index: usize) -> T {
-        [self.x, self.y][index]
+    fn write(self, out: &mut [T]) {
+        (out[0], out[1]) = (self.x, self.y);
     }
     #[inline(always)]
     fn inner(self, other: Self) -> T {
@@ -96,8 +96,8 @@ fn turned_by<T: Real>(sum: T, value: T, turning: f64) -> T {
 }
 
 #[inline(always)]
-fn rotation<T: Real>(angle_rad: T, sin_cos: impl Fn(T) -> (T, T)) -> PlaneRotation<T> {
-    let (sine, cosine) = sin_cos(angle_rad);
+fn rotation<T: Real>(angle_rad: T, near: Option<&KnownAngle<T>>) -> PlaneRotation<T> {
+    let (sine, cosine) = sin_cos_by(angle_rad, near);
     PlaneRotation { angle_rad, sine, cosine }
 }
 
@@ -138,9 +138,9 @@ impl Geometry for Plane {
         _: &PlaneMount<T>,
         angle_rad: T,
         turns_alone: bool,
-        sin_cos: impl Fn(T) -> (T, T),
+        near: Option<&KnownAngle<T>>,
     ) -> PlaneRotation<T> {
-        rotation(if turns_alone { angle_rad } else { parent.angle_rad + angle_rad }, sin_cos)
+        rotation(if turns_alone { angle_rad } else { parent.angle_rad + angle_rad }, near)
     }
     #[inline(always)]
     fn axis<T: Real>(_: &PlaneRotation<T>, _: &PlaneMount<T>, _: bool, is_reversed: bool) -> f64 {
@@ -170,8 +170,8 @@ impl Geometry for Plane {
         if turns_alone { [own.angle_rad, own_spin] } else { [own.angle_rad - parent.angle_rad, own_spin - parent_spin] }
     }
     #[inline(always)]
-    fn oriented<T: Real>(coordinates: &[T], sin_cos: impl Fn(T) -> (T, T)) -> PlaneRotation<T> {
-        rotation(coordinates[0], sin_cos)
+    fn oriented<T: Real>(coordinates: &[T], near: Option<&KnownAngle<T>>) -> PlaneRotation<T> {
+        rotation(coordinates[0], near)
     }
     fn orientation(rotation: &PlaneRotation<f64>, spin: &f64, coordinates: &mut [f64], speeds: &mut [f64]) {
         (coordinates[0], speeds[0]) = (rotation.angle_rad, *spin);

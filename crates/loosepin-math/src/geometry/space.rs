@@ -4,7 +4,7 @@ use super::kind::{Geometry, Vector};
 use super::quaternion::Quaternion;
 use super::rotation::Rotation;
 use super::vec3::Vec3;
-use crate::Real;
+use crate::{KnownAngle, Real, sin_cos_by};
 
 impl<T: Real> Vector<T> for Vec3<T> {
     #[inline(always)]
@@ -12,8 +12,8 @@ impl<T: Real> Vector<T> for Vec3<T> {
         Self::new(T::zero(), T::zero(), T::zero())
     }
     #[inline(always)]
-    fn component(&self, index: usize) -> T {
-        self.to_array()[index]
+    fn write(self, out: &mut [T]) {
+        (out[0], out[1], out[2]) = (self.x, self.y, self.z);
     }
     #[inline(always)]
     fn inner(self, other: Self) -> T {
@@ -155,9 +155,9 @@ impl Geometry for Space {
         mount: &SpaceMount<T>,
         angle_rad: T,
         turns_alone: bool,
-        sin_cos: impl Fn(T) -> (T, T),
+        near: Option<&KnownAngle<T>>,
     ) -> Rotation<T> {
-        let (sine, cosine) = sin_cos(angle_rad);
+        let (sine, cosine) = sin_cos_by(angle_rad, near);
         let marker = if turns_alone { mount.parent } else { compose(parent, &mount.parent) };
         let (zero, one) = (T::zero(), T::one());
         let about_z = Rotation {
@@ -193,7 +193,7 @@ impl Geometry for Space {
         [libm::atan2(marker.y.inner(along), marker.x.inner(along)), marker.z.inner(spin)]
     }
     #[inline(always)]
-    fn oriented<T: Real>(coordinates: &[T], _: impl Fn(T) -> (T, T)) -> Rotation<T> {
+    fn oriented<T: Real>(coordinates: &[T], _: Option<&KnownAngle<T>>) -> Rotation<T> {
         let [w, x, y, z] = [coordinates[0], coordinates[1], coordinates[2], coordinates[3]];
         let (one, two) = (T::one(), T::from_f64(2.0));
         let diagonal = |a: T, b: T| one - two * a.mul_add(a, b * b);

@@ -46,7 +46,9 @@ pub use parts::spring::{ElasticNumbers, SpringGeometry};
 pub use parts::stressed::{SectionNumbers, StressedBody};
 pub(crate) use play_shape::ask_shape;
 pub use play_shape::{CircularSlotShape, PinShape, PlayForm, PlayFreedom, PlayShape, SliderBlock, SlotShape};
-pub use row::{CutMotion, CutState, RowAt, RowGeometry, cut_biases, cut_forces_n, cut_jacobian, cut_residuals};
+pub use row::{
+    CutColumns, CutMotion, CutState, RowAt, RowGeometry, cut_biases, cut_forces_n, cut_jacobian, cut_residuals,
+};
 pub use sample::{PlayGeometry, Sample};
 pub use tree::beam::{BeamPlace, TreeBeam};
 pub use tree::cut_numbers::CutNumbers;

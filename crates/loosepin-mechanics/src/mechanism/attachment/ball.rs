@@ -6,7 +6,7 @@ use super::kind::{Columns, Hung, KindOfAttachment, Place, Rates, about_point};
 use crate::mechanism::tree::kinematics::{Kinematics, Pose, Twist};
 use crate::mechanism::tree::numbers::LinkNumbers;
 use crate::model::JointId;
-use loosepin_math::Real;
+use loosepin_math::{KnownAngle, Real};
 
 /// By a ball.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -27,9 +27,6 @@ impl<G: TreeGeometry> FormOfAttachment<G> for Ball {
     fn angle(&self) -> Option<usize> {
         (G::ORIENTATION_COORDINATES == 1).then_some(0)
     }
-    fn turns_alone(&self) -> bool {
-        true
-    }
 }
 
 impl<G: TreeGeometry> KindOfAttachment<G> for Ball {
@@ -38,19 +35,19 @@ impl<G: TreeGeometry> KindOfAttachment<G> for Ball {
         &self,
         place: &Place<'_, T, G>,
         parent: &Pose<T, G>,
-        (own, _): (&[T], &[T]),
-        sin_cos: impl Fn(T) -> (T, T),
+        coordinates: &[T],
+        near: Option<&KnownAngle<T>>,
         Columns { linear, turnings }: Columns<'_, T, G>,
     ) -> Hung<T, G> {
-        let numbers = place.of_link();
-        let rotation = G::oriented(own, sin_cos);
+        let numbers = place.link_numbers;
+        let rotation = G::oriented(place.own(coordinates), near);
         let (reach_m, own_arm_m) = (parent.turn(numbers.parent_arm_m), G::turn(&rotation, numbers.own_arm_m));
         turnings.copy_from_slice(G::turnings(&rotation).as_ref());
         for (linear, turning) in linear.iter_mut().zip(turnings) {
             *linear = G::swung(*turning, -own_arm_m);
         }
         let position_m = parent.position_m + reach_m + numbers.eccentricity_m - own_arm_m;
-        Hung { pose: Pose { position_m, rotation }, reach_m }
+        Hung::alone(Pose { position_m, rotation }, reach_m)
     }
     #[inline(always)]
     fn bias<T: Real>(&self, place: &Place<'_, T, G>, kinematics: &Kinematics<T, G>, _: Rates<'_, T>) -> Twist<T, G> {

@@ -38,9 +38,4 @@ pub trait FormOfAttachment<G: Geometry>: Copy + Debug {
     fn turns(&self) -> bool {
         true
     }
-
-    /// Whether its spin does not depend on that of its parent: the columns that it inherits turn it no more.
-    fn turns_alone(&self) -> bool {
-        false
-    }
 }

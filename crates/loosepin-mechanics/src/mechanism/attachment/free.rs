@@ -5,7 +5,7 @@ use super::kind::{Columns, Hung, KindOfAttachment, Place, Rates};
 use crate::mechanism::tree::kinematics::{Kinematics, Pose, Twist};
 use crate::mechanism::tree::numbers::LinkNumbers;
 use core::ops::Range;
-use loosepin_math::{Real, Vector};
+use loosepin_math::{KnownAngle, Real, Vector};
 
 /// On nothing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -21,27 +21,25 @@ impl<G: TreeGeometry> FormOfAttachment<G> for Free {
     fn angle(&self) -> Option<usize> {
         (G::ORIENTATION_COORDINATES == 1).then_some(G::POSITION)
     }
-    fn turns_alone(&self) -> bool {
-        true
-    }
 }
 
 impl<G: TreeGeometry> KindOfAttachment<G> for Free {
     #[inline(always)]
     fn hang<T: Real>(
         &self,
-        _: &Place<'_, T, G>,
+        place: &Place<'_, T, G>,
         _: &Pose<T, G>,
-        (own, _): (&[T], &[T]),
-        sin_cos: impl Fn(T) -> (T, T),
+        coordinates: &[T],
+        near: Option<&KnownAngle<T>>,
         Columns { linear, turnings }: Columns<'_, T, G>,
     ) -> Hung<T, G> {
-        let rotation = G::oriented(&own[G::POSITION..], sin_cos);
+        let own = place.own(coordinates);
+        let rotation = G::oriented(&own[G::POSITION..], near);
         for (index, linear) in linear.iter_mut().enumerate() {
             *linear = if index < G::POSITION { G::unit(index) } else { G::Vector::zero() };
         }
         turnings[G::POSITION..].copy_from_slice(G::turnings(&rotation).as_ref());
-        Hung { pose: Pose { position_m: G::position(&own[..G::POSITION]), rotation }, reach_m: G::Vector::zero() }
+        Hung::alone(Pose { position_m: G::position(&own[..G::POSITION]), rotation }, G::Vector::zero())
     }
     #[inline(always)]
     fn bias<T: Real>(&self, _: &Place<'_, T, G>, _: &Kinematics<T, G>, _: Rates<'_, T>) -> Twist<T, G> {
@@ -55,10 +53,8 @@ impl<G: TreeGeometry> KindOfAttachment<G> for Free {
         coordinates: &mut [f64],
         rates: &mut [f64],
     ) {
-        for index in 0..G::POSITION {
-            coordinates[index] = pose.position_m.component(index);
-            rates[index] = twist.linear.component(index);
-        }
+        pose.position_m.write(coordinates);
+        twist.linear.write(rates);
         G::orientation(&pose.rotation, &twist.angular, &mut coordinates[G::POSITION..], &mut rates[G::POSITION..]);
     }
     fn coordinate_rates<T: Real>(&self, own: &[T], speeds: &[T], rates: &mut [T]) {

@@ -4,7 +4,7 @@ use super::form::{FormOfAttachment, TreeGeometry};
 use crate::mechanism::tree::kinematics::{Kinematics, Pose, Twist};
 use crate::mechanism::tree::numbers::{LinkNumbers, TreeNumbers};
 use crate::mechanism::tree::spanning_tree::{Link, Tree};
-use loosepin_math::{Geometry, Real};
+use loosepin_math::{Geometry, KnownAngle, Real};
 
 /// A geometry whose attachments move.
 pub trait MovingGeometry: TreeGeometry<Attachment: KindOfAttachment<Self>> {}
@@ -19,18 +19,24 @@ pub struct Place<'a, T: Real, G: TreeGeometry> {
     pub numbers: &'a TreeNumbers<T, G>,
     /// Slot of the body.
     pub slot: usize,
+    /// Its link.
+    pub link: &'a Link<G>,
+    /// The numbers of its link.
+    pub link_numbers: &'a LinkNumbers<T, G>,
 }
 
 impl<'a, T: Real, G: TreeGeometry> Place<'a, T, G> {
-    /// The link of the body.
+    /// All bodies of a tree, parents first.
     #[inline(always)]
-    pub fn link(&self) -> &'a Link<G> {
-        &self.tree.links[self.slot - 1]
+    pub fn all(tree: &'a Tree<G>, numbers: &'a TreeNumbers<T, G>) -> impl Iterator<Item = Self> {
+        let links = tree.links.iter().zip(&numbers.links).enumerate();
+        links.map(move |(index, (link, link_numbers))| Self { tree, numbers, slot: index + 1, link, link_numbers })
     }
-    /// The numbers of the link.
+
+    /// The coordinates of the body, of those of all.
     #[inline(always)]
-    pub fn of_link(&self) -> &'a LinkNumbers<T, G> {
-        &self.numbers.links[self.slot - 1]
+    pub fn own<'c>(&self, coordinates: &'c [T]) -> &'c [T] {
+        &coordinates[self.link.coordinates.clone()]
     }
 }
 
@@ -59,33 +65,41 @@ pub struct Columns<'a, T: Real, G: Geometry> {
     pub turnings: &'a mut [G::Turning<T>],
 }
 
-/// Where a body is.
+/// Where a body is, and how it moves with its parent.
 pub struct Hung<T: Real, G: Geometry> {
     /// Its pose.
     pub pose: Pose<T, G>,
     /// The way from the origin of its parent to the point that the parent carries, in the ground's frame, m: where it turns alone that of the
     /// joint, else its own origin. A body that hangs on nothing has none.
     pub reach_m: G::Vector<T>,
+    /// Whether its spin does not depend on that of its parent: the columns that it inherits turn it no more.
+    pub turns_alone: bool,
 }
 
 impl<T: Real, G: Geometry> Hung<T, G> {
     /// As part of its parent, with which it turns.
     #[inline(always)]
     pub(super) fn with(parent: &Pose<T, G>, pose: Pose<T, G>) -> Self {
-        Self { pose, reach_m: pose.position_m - parent.position_m }
+        Self { pose, reach_m: pose.position_m - parent.position_m, turns_alone: false }
+    }
+
+    /// With a spin of its own; `reach_m` is the way to the point of the joint.
+    #[inline(always)]
+    pub(super) fn alone(pose: Pose<T, G>, reach_m: G::Vector<T>) -> Self {
+        Self { pose, reach_m, turns_alone: true }
     }
 }
 
 /// How a body hangs on its parent: a kind of attachment.
 pub trait KindOfAttachment<G: TreeGeometry>: FormOfAttachment<G> {
-    /// Where the body is; into `columns` go its velocities for unit rates of its own coordinates, while the parent stands still. `own_and_all` are its
-    /// coordinates and those of all of the tree.
+    /// Where the body is; into `columns` go its velocities for unit rates of its own coordinates, while the parent stands still. `coordinates`
+    /// are those of all of the tree; `near` is an angle close to its own, where one is known.
     fn hang<T: Real>(
         &self,
         place: &Place<'_, T, G>,
         parent: &Pose<T, G>,
-        own_and_all: (&[T], &[T]),
-        sin_cos: impl Fn(T) -> (T, T),
+        coordinates: &[T],
+        near: Option<&KnownAngle<T>>,
         columns: Columns<'_, T, G>,
     ) -> Hung<T, G>;
 
@@ -125,7 +139,7 @@ pub(super) fn about_point<T: Real, G: TreeGeometry>(
     kinematics: &Kinematics<T, G>,
     spin: Option<G::Spin<T>>,
 ) -> Twist<T, G> {
-    let (numbers, parent_slot) = (place.of_link(), place.link().parent_slot);
+    let (numbers, parent_slot) = (place.link_numbers, place.link.parent_slot);
     let parent_arm = kinematics.poses[parent_slot].turn(numbers.parent_arm_m);
     let own_arm = kinematics.poses[place.slot].turn(numbers.own_arm_m);
     let mut linear = kinematics.bias_at(parent_slot, parent_arm);
@@ -139,7 +153,7 @@ pub(super) fn about_point<T: Real, G: TreeGeometry>(
 /// Acceleration of the origin of a body as part of its parent, with which it turns.
 #[inline(always)]
 pub(super) fn carried<T: Real, G: TreeGeometry>(place: &Place<'_, T, G>, kinematics: &Kinematics<T, G>) -> Twist<T, G> {
-    let parent_slot = place.link().parent_slot;
+    let parent_slot = place.link.parent_slot;
     let reach = kinematics.poses[place.slot].position_m - kinematics.poses[parent_slot].position_m;
     Twist { linear: kinematics.bias_at(parent_slot, reach), angular: kinematics.biases[parent_slot].angular }
 }

@@ -30,10 +30,6 @@ macro_rules! attachments {
             fn turns(&self) -> bool {
                 match self { $(Self::$kind(kind) => $crate::mechanism::attachment::FormOfAttachment::<$geometry>::turns(kind),)* }
             }
-            #[inline(always)]
-            fn turns_alone(&self) -> bool {
-                match self { $(Self::$kind(kind) => $crate::mechanism::attachment::FormOfAttachment::<$geometry>::turns_alone(kind),)* }
-            }
         }
 
         impl $crate::mechanism::attachment::KindOfAttachment<$geometry> for $name {
@@ -42,11 +38,11 @@ macro_rules! attachments {
                 &self,
                 place: &$crate::mechanism::attachment::Place<'_, T, $geometry>,
                 parent: &$crate::mechanism::Pose<T, $geometry>,
-                coordinates: (&[T], &[T]),
-                sin_cos: impl Fn(T) -> (T, T),
+                coordinates: &[T],
+                near: Option<&loosepin_math::KnownAngle<T>>,
                 columns: $crate::mechanism::attachment::Columns<'_, T, $geometry>,
             ) -> $crate::mechanism::attachment::Hung<T, $geometry> {
-                match self { $(Self::$kind(kind) => kind.hang(place, parent, coordinates, sin_cos, columns),)* }
+                match self { $(Self::$kind(kind) => kind.hang(place, parent, coordinates, near, columns),)* }
             }
             #[inline(always)]
             fn bias<T: loosepin_math::Real>(

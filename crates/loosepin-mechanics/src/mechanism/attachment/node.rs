@@ -4,7 +4,7 @@
 use super::form::FormOfAttachment;
 use super::kind::{Columns, Hung, KindOfAttachment, Place, Rates};
 use crate::mechanism::tree::kinematics::{Kinematics, Pose, Twist};
-use loosepin_math::{Geometry, Plane, Real, Vec2};
+use loosepin_math::{Geometry, KnownAngle, Plane, Real, Vec2};
 
 /// The tip of a beam in absolute nodal coordinates.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -17,9 +17,6 @@ impl FormOfAttachment<Plane> for Node {
     fn counts(&self) -> [usize; 2] {
         [3, 3]
     }
-    fn turns_alone(&self) -> bool {
-        true
-    }
 }
 
 impl KindOfAttachment<Plane> for Node {
@@ -28,15 +25,16 @@ impl KindOfAttachment<Plane> for Node {
         &self,
         place: &Place<'_, T, Plane>,
         _: &Pose<T>,
-        (own, _): (&[T], &[T]),
-        sin_cos: impl Fn(T) -> (T, T),
+        coordinates: &[T],
+        near: Option<&KnownAngle<T>>,
         Columns { linear, turnings }: Columns<'_, T, Plane>,
     ) -> Hung<T, Plane> {
-        let rotation = Plane::oriented(&own[2..], sin_cos);
+        let own = place.own(coordinates);
+        let rotation = Plane::oriented(&own[2..], near);
         let arm = Plane::turn(&rotation, place.numbers.nodal_beams[self.beam].tip_m);
         (linear[0], linear[1], linear[2]) = (Plane::unit(0), Plane::unit(1), -arm.turned());
         turnings[2] = 1.0;
-        Hung { pose: Pose { position_m: Vec2::new(own[0], own[1]) - arm, rotation }, reach_m: Vec2::zero() }
+        Hung::alone(Pose { position_m: Vec2::new(own[0], own[1]) - arm, rotation }, Vec2::zero())
     }
     #[inline(always)]
     fn bias<T: Real>(&self, place: &Place<'_, T, Plane>, kinematics: &Kinematics<T>, _: Rates<'_, T>) -> Twist<T> {

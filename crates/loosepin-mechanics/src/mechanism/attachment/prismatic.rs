@@ -6,7 +6,7 @@ use crate::mechanism::tree::kinematics::{Kinematics, Pose, Twist};
 use crate::mechanism::tree::numbers::LinkNumbers;
 use crate::model::JointId;
 use core::ops::Range;
-use loosepin_math::{Real, Vector};
+use loosepin_math::{KnownAngle, Real, Vector};
 
 /// By a prismatic joint.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -38,17 +38,18 @@ impl<G: TreeGeometry> KindOfAttachment<G> for Prismatic {
         &self,
         place: &Place<'_, T, G>,
         parent: &Pose<T, G>,
-        (own, _): (&[T], &[T]),
-        _: impl Fn(T) -> (T, T),
+        coordinates: &[T],
+        _: Option<&KnownAngle<T>>,
         Columns { linear, turnings }: Columns<'_, T, G>,
     ) -> Hung<T, G> {
-        let numbers = place.of_link();
+        let numbers = place.link_numbers;
         let line = G::line(&parent.rotation, &numbers.mount);
         let line = if self.forward { line } else { -line };
         (linear[0], turnings[0]) = (line, G::still());
         let rotation = G::fixed(&parent.rotation, &numbers.mount);
         let at_joint_m = parent.position_m + parent.turn(numbers.parent_arm_m);
-        let position_m = at_joint_m + line * own[0] - G::turn(&rotation, numbers.own_arm_m);
+        let position_m =
+            at_joint_m + line * coordinates[place.link.coordinates.start] - G::turn(&rotation, numbers.own_arm_m);
         Hung::with(parent, Pose { position_m, rotation })
     }
     #[inline(always)]
@@ -58,7 +59,7 @@ impl<G: TreeGeometry> KindOfAttachment<G> for Prismatic {
         kinematics: &Kinematics<T, G>,
         rates: Rates<'_, T>,
     ) -> Twist<T, G> {
-        let link = place.link();
+        let link = place.link;
         let line = kinematics.own_linear(place.slot, link);
         let Twist { linear, angular } = carried(place, kinematics);
         let spin = kinematics.twists[link.parent_slot].angular;

@@ -9,7 +9,7 @@ use super::kind::{Columns, Hung, KindOfAttachment, Place, Rates, about_point};
 use crate::mechanism::tree::kinematics::{Kinematics, Pose, Twist};
 use crate::mechanism::tree::numbers::LinkNumbers;
 use crate::model::JointId;
-use loosepin_math::Real;
+use loosepin_math::{KnownAngle, Real};
 
 /// By a revolute joint.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -39,9 +39,6 @@ impl<G: TreeGeometry> FormOfAttachment<G> for Revolute {
     fn angle(&self) -> Option<usize> {
         self.turns_alone.then_some(0)
     }
-    fn turns_alone(&self) -> bool {
-        self.turns_alone
-    }
 }
 
 impl<G: TreeGeometry> KindOfAttachment<G> for Revolute {
@@ -50,19 +47,20 @@ impl<G: TreeGeometry> KindOfAttachment<G> for Revolute {
         &self,
         place: &Place<'_, T, G>,
         parent: &Pose<T, G>,
-        (own, _): (&[T], &[T]),
-        sin_cos: impl Fn(T) -> (T, T),
+        coordinates: &[T],
+        near: Option<&KnownAngle<T>>,
         Columns { linear, turnings }: Columns<'_, T, G>,
     ) -> Hung<T, G> {
-        let numbers = place.of_link();
-        let angle_rad = if self.is_reversed() { -own[0] } else { own[0] };
-        let rotation = G::revolved(&parent.rotation, &numbers.mount, angle_rad, self.turns_alone, sin_cos);
+        let numbers = place.link_numbers;
+        let own_rad = coordinates[place.link.coordinates.start];
+        let angle_rad = if self.is_reversed() { -own_rad } else { own_rad };
+        let rotation = G::revolved(&parent.rotation, &numbers.mount, angle_rad, self.turns_alone, near);
         let (parent_arm_m, own_arm_m) = (parent.turn(numbers.parent_arm_m), G::turn(&rotation, numbers.own_arm_m));
-        turnings[0] = G::axis(&parent.rotation, &numbers.mount, self.turns_alone, self.is_reversed());
-        linear[0] = G::swung(turnings[0], -own_arm_m);
+        let turning = G::axis(&parent.rotation, &numbers.mount, self.turns_alone, self.is_reversed());
+        (turnings[0], linear[0]) = (turning, G::swung(turning, -own_arm_m));
         let position_m = parent.position_m + parent_arm_m + numbers.eccentricity_m - own_arm_m;
         let pose = Pose { position_m, rotation };
-        if self.turns_alone { Hung { pose, reach_m: parent_arm_m } } else { Hung::with(parent, pose) }
+        if self.turns_alone { Hung::alone(pose, parent_arm_m) } else { Hung::with(parent, pose) }
     }
     #[inline(always)]
     fn bias<T: Real>(
@@ -71,7 +69,7 @@ impl<G: TreeGeometry> KindOfAttachment<G> for Revolute {
         kinematics: &Kinematics<T, G>,
         rates: Rates<'_, T>,
     ) -> Twist<T, G> {
-        let link = place.link();
+        let link = place.link;
         let spin = (!self.turns_alone).then(|| {
             let axis = kinematics.own_turning(place.slot, link);
             let (twist, bias) = (&kinematics.twists[link.parent_slot], &kinematics.biases[link.parent_slot]);

@@ -4,7 +4,7 @@ use super::form::{FormOfAttachment, TreeGeometry};
 use super::kind::{Columns, Hung, KindOfAttachment, Place, Rates, carried};
 use crate::mechanism::tree::kinematics::{Kinematics, Pose, Twist};
 use crate::model::JointId;
-use loosepin_math::Real;
+use loosepin_math::{KnownAngle, Real};
 
 /// By a rigid joint.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -33,11 +33,11 @@ impl<G: TreeGeometry> KindOfAttachment<G> for Rigid {
         &self,
         place: &Place<'_, T, G>,
         parent: &Pose<T, G>,
-        (_, _): (&[T], &[T]),
-        _: impl Fn(T) -> (T, T),
+        _: &[T],
+        _: Option<&KnownAngle<T>>,
         _: Columns<'_, T, G>,
     ) -> Hung<T, G> {
-        let numbers = place.of_link();
+        let numbers = place.link_numbers;
         let rotation = G::fixed(&parent.rotation, &numbers.mount);
         let at_joint_m = parent.position_m + parent.turn(numbers.parent_arm_m);
         Hung::with(parent, Pose { position_m: at_joint_m - G::turn(&rotation, numbers.own_arm_m), rotation })

@@ -5,7 +5,7 @@ use super::kind::{Columns, Hung, KindOfAttachment, Place, Rates};
 use crate::mechanism::tree::beam::BeamPlace;
 use crate::mechanism::tree::kinematics::{Kinematics, Pose, Twist};
 use crate::mechanism::tree::spanning_tree::Tree;
-use loosepin_math::{Geometry, Plane, Real, Vec2};
+use loosepin_math::{Geometry, KnownAngle, Plane, Real, Vec2};
 
 /// A section of a beam.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -30,14 +30,14 @@ impl KindOfAttachment<Plane> for Section {
         &self,
         place: &Place<'_, T, Plane>,
         frame: &Pose<T>,
-        (_, coordinates): (&[T], &[T]),
-        sin_cos: impl Fn(T) -> (T, T),
+        coordinates: &[T],
+        near: Option<&KnownAngle<T>>,
         Columns { linear, turnings }: Columns<'_, T, Plane>,
     ) -> Hung<T, Plane> {
         let (beam, numbers) = (&place.tree.beams[self.beam], &place.numbers.beams[self.beam]);
         let (station, q) = (beam.station(self.place), &coordinates[beam.coordinates.clone()]);
         let axis = frame.turn(numbers.axis);
-        let rotation = Plane::oriented(&[frame.angle_rad() + numbers.beam.angle_rad(station, q)], sin_cos);
+        let rotation = Plane::oriented(&[frame.angle_rad() + numbers.beam.angle_rad(station, q)], near);
         let from_root_m = numbers.beam.point_m(station, q).rotated(axis.y, axis.x);
         let arm = Plane::turn(&rotation, numbers.axis_point_m(beam, self.place));
         match self.place {

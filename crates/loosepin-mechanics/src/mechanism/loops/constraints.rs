@@ -13,8 +13,8 @@ use std::fmt;
 /// angle for bodies that should not turn against each other. Then those of all couplings, rad or m.
 #[inline(never)]
 pub fn residuals<T: Real>(tree: &Tree, geometry: &TreeNumbers<T>, kinematics: &Kinematics<T>, out: &mut [T]) {
-    cut_residuals(tree, geometry, kinematics, out);
-    for ((places, numbers), out) in tree.couplings.iter().zip(&geometry.couplings).zip(&mut out[tree.cut_rows()..]) {
+    let cut_rows = cut_residuals(tree, geometry, kinematics, out);
+    for ((places, numbers), out) in tree.couplings.iter().zip(&geometry.couplings).zip(&mut out[cut_rows..]) {
         *out = numbers.residual(places, kinematics);
     }
 }
@@ -24,8 +24,8 @@ pub fn residuals<T: Real>(tree: &Tree, geometry: &TreeNumbers<T>, kinematics: &K
 pub fn jacobian<T: Real>(tree: &Tree, geometry: &TreeNumbers<T>, kinematics: &Kinematics<T>, out: &mut [T]) {
     let columns = tree.coordinates();
     out.fill(T::zero());
-    cut_jacobian(tree, geometry, kinematics, out);
-    let of_couplings = out[tree.cut_rows() * columns..].chunks_exact_mut(columns.max(1));
+    let cut_rows = cut_jacobian(tree, geometry, kinematics, out);
+    let of_couplings = out[cut_rows * columns..].chunks_exact_mut(columns.max(1));
     for ((places, numbers), out) in tree.couplings.iter().zip(&geometry.couplings).zip(of_couplings) {
         numbers.add_gradient(places, tree, kinematics, out);
     }
@@ -43,9 +43,9 @@ pub fn gradient<T: Real>(
     out: &mut [T],
 ) {
     out.fill(T::zero());
-    cut_gradient(tree, geometry, kinematics, &moves, &motion, out);
+    let cut_rows = cut_gradient(tree, geometry, kinematics, &moves, &motion, out);
     let of = |slot: usize| if moves(slot) { motion(slot) } else { (Vec2::zero(), T::zero()) };
-    for ((places, numbers), out) in tree.couplings.iter().zip(&geometry.couplings).zip(&mut out[tree.cut_rows()..]) {
+    for ((places, numbers), out) in tree.couplings.iter().zip(&geometry.couplings).zip(&mut out[cut_rows..]) {
         let [first, second] =
             [0, 1].map(|side| numbers.joints[side].rate(&places[side], kinematics, places[side].slots.map(of)));
         *out = second - numbers.slope(places, kinematics) * first;
@@ -69,8 +69,8 @@ pub fn turn_cosine<T: Real>(tree: &Tree, geometry: &TreeNumbers<T>, kinematics: 
 /// d²Φ/dt² when the free coordinates have no acceleration. Needs the biases of `kinematics`.
 #[inline(never)]
 pub fn biases<T: Real>(tree: &Tree, geometry: &TreeNumbers<T>, kinematics: &Kinematics<T>, out: &mut [T]) {
-    cut_biases(tree, geometry, kinematics, out);
-    for ((places, numbers), out) in tree.couplings.iter().zip(&geometry.couplings).zip(&mut out[tree.cut_rows()..]) {
+    let cut_rows = cut_biases(tree, geometry, kinematics, out);
+    for ((places, numbers), out) in tree.couplings.iter().zip(&geometry.couplings).zip(&mut out[cut_rows..]) {
         *out = numbers.bias(places, kinematics);
     }
 }

@@ -5,24 +5,22 @@
 use super::form::{CutMotion, CutState, RowAt};
 use super::perpendicular::{axis, axis_change};
 use crate::model::MarkerAxis;
-use core::marker::PhantomData;
 use loosepin_math::{Geometry, Real, Space, Vec3, Vector};
 
 /// a and d, in the ground's frame.
-pub struct Across<T, G> {
+pub struct Across<T> {
     axis: Vec3<T>,
     gap_m: Vec3<T>,
-    geometry: PhantomData<G>,
 }
 
-impl<T: Real> Across<T, Space> {
+impl<T: Real> Across<T> {
     #[inline(always)]
     pub(super) fn at(state: &CutState<'_, T, Space>, own: MarkerAxis) -> Self {
-        Self { axis: axis(state, 0, own), gap_m: state.gap_m, geometry: PhantomData }
+        Self { axis: axis(state, 0, own), gap_m: state.gap_m }
     }
 }
 
-impl<T: Real> RowAt<T, Space> for Across<T, Space> {
+impl<T: Real> RowAt<T, Space> for Across<T> {
     #[inline(always)]
     fn residuals(&self, out: &mut [T]) {
         out[0] = self.axis.inner(self.gap_m);

@@ -5,14 +5,12 @@
 use super::form::{CutMotion, CutState, RowAt};
 use crate::mechanism::tree::cut_numbers::CutNumbers;
 use crate::mechanism::tree::kinematics::Pose;
-use core::marker::PhantomData;
 use loosepin_math::{Plane, Real, Vec2};
 
 /// Sine and cosine of θ.
-pub struct Angle<T, G> {
+pub struct Angle<T> {
     sine: T,
     cosine: T,
-    geometry: PhantomData<G>,
 }
 
 /// θ, rad.
@@ -21,15 +19,15 @@ pub(in crate::mechanism) fn turn_rad<T: Real>(numbers: &CutNumbers<T>, poses: [&
     poses[1].angle_rad() + numbers.markers[1] - poses[0].angle_rad() - numbers.markers[0]
 }
 
-impl<T: Real> Angle<T, Plane> {
+impl<T: Real> Angle<T> {
     #[inline(always)]
     pub(super) fn at(state: &CutState<'_, T, Plane>) -> Self {
         let (sine, cosine) = turn_rad(state.numbers, state.poses).sin_cos();
-        Self { sine, cosine, geometry: PhantomData }
+        Self { sine, cosine }
     }
 }
 
-impl<T: Real> RowAt<T, Plane> for Angle<T, Plane> {
+impl<T: Real> RowAt<T, Plane> for Angle<T> {
     #[inline(always)]
     fn residuals(&self, out: &mut [T]) {
         out[0] = self.sine;

@@ -1,6 +1,7 @@
 //! The points coincide: a row for each coordinate of the ground.
 
 use super::form::{CutMotion, CutState, RowAt};
+use crate::mechanism::attachment::TreeGeometry;
 use loosepin_math::{Geometry, Real, Vector};
 
 /// The way from the first point to the second less the eccentricity, m.
@@ -13,27 +14,20 @@ impl<T: Real, G: Geometry> Coincident<T, G> {
     }
 }
 
-#[inline(always)]
-fn components<T: Real, G: Geometry>(vector: G::Vector<T>, out: &mut [T]) {
-    for (index, out) in out.iter_mut().enumerate() {
-        *out = vector.component(index);
-    }
-}
-
-impl<T: Real, G: Geometry> RowAt<T, G> for Coincident<T, G> {
+impl<T: Real, G: TreeGeometry> RowAt<T, G> for Coincident<T, G> {
     #[inline(always)]
     fn residuals(&self, out: &mut [T]) {
-        components::<T, G>(self.0, out);
+        self.0.write(out);
     }
 
     #[inline(always)]
     fn rates(&self, velocity: impl FnOnce() -> G::Vector<T>, _: usize, _: G::Spin<T>, out: &mut [T]) {
-        components::<T, G>(velocity(), out);
+        velocity().write(out);
     }
 
     #[inline(always)]
     fn biases(&self, motion: &CutMotion<T, G>, out: &mut [T]) {
-        components::<T, G>(motion.acceleration_m_s2, out);
+        motion.acceleration_m_s2.write(out);
     }
 
     #[inline(always)]

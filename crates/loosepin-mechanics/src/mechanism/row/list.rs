@@ -1,37 +1,54 @@
-//! Makes the list of the conditions of a geometry at a state, and hands every question on to the condition.
+//! Hands every question about a condition of a geometry on to its kind.
 
-macro_rules! rows_at {
-    ($(#[$doc:meta])* $name:ident over $geometry:ident { $($row:ident),* $(,)? }) => {
-        $(#[$doc])*
-        pub enum $name<T: loosepin_math::Real> {
-            $(#[doc = concat!("See `", stringify!($row), "`.")] $row($row<T, $geometry>),)*
-        }
-
-        impl<T: loosepin_math::Real> $crate::mechanism::row::RowAt<T, $geometry> for $name<T> {
+macro_rules! rows {
+    ($geometry:ident, $conditions:ident, |$state:ident| { $($condition:pat => $kind:expr),* $(,)? }) => {
+        impl $crate::mechanism::row::RowGeometry for $geometry {
             #[inline(always)]
-            fn residuals(&self, out: &mut [T]) {
-                match self { $(Self::$row(row) => row.residuals(out),)* }
-            }
-            #[inline(always)]
-            fn rates(
-                &self,
-                velocity: impl FnOnce() -> <$geometry as loosepin_math::Geometry>::Vector<T>,
-                side: usize,
-                spin: <$geometry as loosepin_math::Geometry>::Spin<T>,
+            fn residuals<T: loosepin_math::Real>(
+                row: $conditions,
+                $state: &$crate::mechanism::row::CutState<'_, T, Self>,
                 out: &mut [T],
             ) {
-                match self { $(Self::$row(row) => row.rates(velocity, side, spin, out),)* }
+                match row { $($condition => $crate::mechanism::row::RowAt::residuals(&$kind, out),)* }
             }
             #[inline(always)]
-            fn biases(&self, motion: &$crate::mechanism::row::CutMotion<T, $geometry>, out: &mut [T]) {
-                match self { $(Self::$row(row) => row.biases(motion, out),)* }
+            fn add_columns<T: loosepin_math::Real>(
+                row: $conditions,
+                $state: &$crate::mechanism::row::CutState<'_, T, Self>,
+                columns: &$crate::mechanism::row::CutColumns<'_, T, Self>,
+                out: &mut [T],
+            ) {
+                match row { $($condition => $crate::mechanism::row::RowAt::add_columns(&$kind, columns, row.count(), out),)* }
             }
             #[inline(always)]
-            fn force_n(&self, multipliers: &[T]) -> <$geometry as loosepin_math::Geometry>::Vector<T> {
-                match self { $(Self::$row(row) => row.force_n(multipliers),)* }
+            fn rates<T: loosepin_math::Real>(
+                row: $conditions,
+                $state: &$crate::mechanism::row::CutState<'_, T, Self>,
+                velocity: impl FnOnce() -> Self::Vector<T>,
+                (side, spin): (usize, Self::Spin<T>),
+                out: &mut [T],
+            ) {
+                match row { $($condition => $crate::mechanism::row::RowAt::<T, Self>::rates(&$kind, velocity, side, spin, out),)* }
+            }
+            #[inline(always)]
+            fn biases<T: loosepin_math::Real>(
+                row: $conditions,
+                $state: &$crate::mechanism::row::CutState<'_, T, Self>,
+                motion: &$crate::mechanism::row::CutMotion<T, Self>,
+                out: &mut [T],
+            ) {
+                match row { $($condition => $crate::mechanism::row::RowAt::biases(&$kind, motion, out),)* }
+            }
+            #[inline(always)]
+            fn force_n<T: loosepin_math::Real>(
+                row: $conditions,
+                $state: &$crate::mechanism::row::CutState<'_, T, Self>,
+                multipliers: &[T],
+            ) -> Self::Vector<T> {
+                match row { $($condition => $crate::mechanism::row::RowAt::force_n(&$kind, multipliers),)* }
             }
         }
     };
 }
 
-pub(super) use rows_at;
+pub(super) use rows;

@@ -25,7 +25,7 @@ mod plane;
 mod space;
 
 pub(in crate::mechanism) use angle::turn_rad;
-pub use form::{CutMotion, CutState, RowAt, RowGeometry};
+pub use form::{CutColumns, CutMotion, CutState, RowAt, RowGeometry};
 pub(in crate::mechanism) use of_cuts::cut_gradient;
 pub use of_cuts::{cut_biases, cut_forces_n, cut_jacobian, cut_residuals};
 pub(in crate::mechanism) use plane::displace;

@@ -1,6 +1,6 @@
 //! The constraints of the cut joints of a tree, in every geometry: residual, Jacobian and acceleration.
 
-use super::form::{CutMotion, CutState, MOST_SCALARS, RowAt, RowGeometry};
+use super::form::{CutColumns, CutMotion, CutState, RowGeometry};
 use crate::mechanism::tree::cut_numbers::CutNumbers;
 use crate::mechanism::tree::kinematics::{Kinematics, acceleration_at};
 use crate::mechanism::tree::numbers::TreeNumbers;
@@ -9,32 +9,17 @@ use crate::model::Row;
 use core::ops::Range;
 use loosepin_math::{Real, Vector};
 
-/// Calls `with` for each cut joint, with its first scalar constraint.
+/// The conditions of a cut joint with their scalar constraints, from `first` on, which ends after the last.
 #[inline(always)]
-fn for_each<T: Real, G: RowGeometry>(
-    tree: &Tree<G>,
-    numbers: &TreeNumbers<T, G>,
-    mut with: impl FnMut(&Cut<G>, &CutNumbers<T, G>, usize),
-) {
-    let mut first = 0;
-    for (cut, numbers) in tree.cuts.iter().zip(&numbers.cuts) {
-        with(cut, numbers, first);
-        first += cut.count();
-    }
-}
-
-/// Calls `with` for each condition of a cut joint at a state, with its scalar constraints.
-#[inline(always)]
-fn for_each_row<T: Real, G: RowGeometry>(
-    cut: &Cut<G>,
-    state: &CutState<'_, T, G>,
-    mut first: usize,
-    mut with: impl FnMut(G::RowAt<T>, Range<usize>),
-) {
-    for row in cut.rows {
-        with(G::row_at(*row, state), first..first + row.count());
-        first += row.count();
-    }
+fn rows<'a, G: RowGeometry>(
+    cut: &'a Cut<G>,
+    first: &'a mut usize,
+) -> impl Iterator<Item = (G::Row, Range<usize>)> + 'a {
+    cut.rows.iter().map(|row| {
+        let own = *first..*first + row.count();
+        *first = own.end;
+        (*row, own)
+    })
 }
 
 /// Arms of the points of a cut from the origins of its bodies, in the ground's frame, m.
@@ -44,7 +29,8 @@ fn arms_m<T: Real, G: RowGeometry>(
     numbers: &CutNumbers<T, G>,
     kinematics: &Kinematics<T, G>,
 ) -> [G::Vector<T>; 2] {
-    [0, 1].map(|side| kinematics.poses[cut.slots[side]].turn(numbers.arms_m[side]))
+    let ([first, second], poses) = (cut.slots, &kinematics.poses);
+    [poses[first].turn(numbers.arms_m[0]), poses[second].turn(numbers.arms_m[1])]
 }
 
 /// A cut joint where the bodies are. Positions alone ask for no arms: the way is the difference of the points, whose last digits are others than
@@ -55,7 +41,7 @@ fn state<'a, T: Real, G: RowGeometry>(
     numbers: &'a CutNumbers<T, G>,
     kinematics: &'a Kinematics<T, G>,
 ) -> CutState<'a, T, G> {
-    let poses = cut.slots.map(|slot| &kinematics.poses[slot]);
+    let poses = [&kinematics.poses[cut.slots[0]], &kinematics.poses[cut.slots[1]]];
     let gap_m = poses[1].point_m(numbers.arms_m[1]) - poses[0].point_m(numbers.arms_m[0]);
     CutState { numbers, poses, gap_m }
 }
@@ -68,52 +54,51 @@ fn state_of_arms<'a, T: Real, G: RowGeometry>(
     kinematics: &'a Kinematics<T, G>,
     arms_m: [G::Vector<T>; 2],
 ) -> CutState<'a, T, G> {
-    let poses = cut.slots.map(|slot| &kinematics.poses[slot]);
+    let poses = [&kinematics.poses[cut.slots[0]], &kinematics.poses[cut.slots[1]]];
     let gap_m = poses[1].position_m + arms_m[1] - poses[0].position_m - arms_m[0];
     CutState { numbers, poses, gap_m }
 }
 
-/// Residuals Φ in the order of the cut joints.
+/// Residuals Φ in the order of the cut joints. How many they are.
 #[inline(always)]
 pub fn cut_residuals<T: Real, G: RowGeometry>(
     tree: &Tree<G>,
     numbers: &TreeNumbers<T, G>,
     kinematics: &Kinematics<T, G>,
     out: &mut [T],
-) {
-    for_each(tree, numbers, |cut, numbers, first| {
-        for_each_row(cut, &state(cut, numbers, kinematics), first, |row, own| row.residuals(&mut out[own]));
-    });
+) -> usize {
+    let mut first = 0;
+    for (cut, numbers) in tree.cuts.iter().zip(&numbers.cuts) {
+        let state = state(cut, numbers, kinematics);
+        for (row, own) in rows(cut, &mut first) {
+            G::residuals(row, &state, &mut out[own]);
+        }
+    }
+    first
 }
 
-/// dΦ for unit speeds, row-major, `tree.speeds()` columns, driven speeds last. Rows begin as zeros.
+/// dΦ for unit speeds, row-major, `tree.speeds()` columns, driven speeds last. Rows begin as zeros. How many they are.
 #[inline(always)]
 pub fn cut_jacobian<T: Real, G: RowGeometry>(
     tree: &Tree<G>,
     numbers: &TreeNumbers<T, G>,
     kinematics: &Kinematics<T, G>,
     out: &mut [T],
-) {
-    let columns = tree.speeds();
-    for_each(tree, numbers, |cut, numbers, first| {
+) -> usize {
+    let (speeds, mut first) = (tree.speeds(), 0);
+    for (cut, numbers) in tree.cuts.iter().zip(&numbers.cuts) {
         let arms_m = arms_m(cut, numbers, kinematics);
-        for_each_row(cut, &state_of_arms(cut, numbers, kinematics, arms_m), first, |row, own| {
-            let mut rates = [T::zero(); MOST_SCALARS];
-            let rates = &mut rates[..own.len()];
-            for (side, sign) in [(0, -T::one()), (1, T::one())] {
-                for column in kinematics.columns(tree, cut.slots[side]) {
-                    row.rates(|| column.at(arms_m[side]) * sign, side, G::spin(column.turning), rates);
-                    for (scalar, rate) in own.clone().zip(rates.iter()) {
-                        out[scalar * columns + column.coordinate] += *rate;
-                    }
-                }
-            }
-        });
-    });
+        let state = state_of_arms(cut, numbers, kinematics, arms_m);
+        let columns = CutColumns { tree, kinematics, slots: cut.slots, arms_m, speeds };
+        for (row, own) in rows(cut, &mut first) {
+            G::add_columns(row, &state, &columns, &mut out[own.start * speeds..own.end * speeds]);
+        }
+    }
+    first
 }
 
 /// dΦ for a motion of the bodies that `moves` names, each with a velocity of the origin of its frame and an angular velocity.
-/// A cut both of whose bodies move does not feel it where they move as one.
+/// A cut both of whose bodies move does not feel it where they move as one. How many constraints there are.
 #[inline(always)]
 pub(in crate::mechanism) fn cut_gradient<T: Real, G: RowGeometry>(
     tree: &Tree<G>,
@@ -122,30 +107,36 @@ pub(in crate::mechanism) fn cut_gradient<T: Real, G: RowGeometry>(
     moves: impl Fn(usize) -> bool,
     motion: impl Fn(usize) -> (G::Vector<T>, G::Spin<T>),
     out: &mut [T],
-) {
-    for_each(tree, numbers, |cut, numbers, first| {
+) -> usize {
+    let mut first = 0;
+    for (cut, numbers) in tree.cuts.iter().zip(&numbers.cuts) {
         let sides = cut.slots.map(&moves);
         if sides[0] == sides[1] {
-            return;
+            first += cut.count();
+            continue;
         }
         let (side, sign) = if sides[1] { (1, T::one()) } else { (0, -T::one()) };
         let arms_m = arms_m(cut, numbers, kinematics);
+        let state = state_of_arms(cut, numbers, kinematics, arms_m);
         let (linear, spin) = motion(cut.slots[side]);
-        for_each_row(cut, &state_of_arms(cut, numbers, kinematics, arms_m), first, |row, own| {
-            row.rates(|| G::carried(linear, spin, arms_m[side]) * sign, side, spin, &mut out[own]);
-        });
-    });
+        for (row, own) in rows(cut, &mut first) {
+            let velocity = || G::carried(linear, spin, arms_m[side]) * sign;
+            G::rates(row, &state, velocity, (side, spin), &mut out[own]);
+        }
+    }
+    first
 }
 
-/// d²Φ/dt² when the free coordinates have no acceleration. Needs the biases of `kinematics`.
+/// d²Φ/dt² when the free coordinates have no acceleration. Needs the biases of `kinematics`. How many they are.
 #[inline(always)]
 pub fn cut_biases<T: Real, G: RowGeometry>(
     tree: &Tree<G>,
     numbers: &TreeNumbers<T, G>,
     kinematics: &Kinematics<T, G>,
     out: &mut [T],
-) {
-    for_each(tree, numbers, |cut, numbers, first| {
+) -> usize {
+    let mut first = 0;
+    for (cut, numbers) in tree.cuts.iter().zip(&numbers.cuts) {
         let arms_m = arms_m(cut, numbers, kinematics);
         let [twists, changes] = [&kinematics.twists, &kinematics.biases].map(|of| cut.slots.map(|slot| of[slot]));
         let accelerations = [0, 1].map(|side| acceleration_at(&changes[side], &twists[side], arms_m[side]));
@@ -156,8 +147,11 @@ pub fn cut_biases<T: Real, G: RowGeometry>(
             spin_rates: changes.map(|change| change.angular),
         };
         let state = state_of_arms(cut, numbers, kinematics, arms_m);
-        for_each_row(cut, &state, first, |row, own| row.biases(&motion, &mut out[own]));
-    });
+        for (row, own) in rows(cut, &mut first) {
+            G::biases(row, &state, &motion, &mut out[own]);
+        }
+    }
+    first
 }
 
 /// Forces of the cut joints on their second bodies at their points, N, for the multipliers of all constraints.
@@ -167,14 +161,11 @@ pub fn cut_forces_n<T: Real, G: RowGeometry>(
     kinematics: &Kinematics<T, G>,
     multipliers: &[T],
 ) -> Vec<G::Vector<T>> {
-    let mut forces_n = Vec::with_capacity(tree.cuts.len());
-    for_each(tree, numbers, |cut, numbers, first| {
-        let mut sum: Option<G::Vector<T>> = None;
-        for_each_row(cut, &state(cut, numbers, kinematics), first, |row, own| {
-            let force_n = row.force_n(&multipliers[own]);
-            sum = Some(sum.map_or(force_n, |sum| sum + force_n));
-        });
-        forces_n.push(sum.unwrap_or(G::Vector::zero()));
-    });
-    forces_n
+    let mut first = 0;
+    let of_cut = |(cut, numbers): (&Cut<G>, &CutNumbers<T, G>)| {
+        let state = state(cut, numbers, kinematics);
+        let forces_n = rows(cut, &mut first).map(|(row, own)| G::force_n(row, &state, &multipliers[own]));
+        forces_n.reduce(|sum, force_n| sum + force_n).unwrap_or(G::Vector::zero())
+    };
+    tree.cuts.iter().zip(&numbers.cuts).map(of_cut).collect()
 }

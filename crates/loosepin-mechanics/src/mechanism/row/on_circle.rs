@@ -3,29 +3,27 @@
 //! With e from the first point to the second and u = e/|e|, Φ = |e| - R. How the first body turns does not matter.
 
 use super::form::{CutMotion, CutState, RowAt};
-use core::marker::PhantomData;
 use loosepin_math::{Plane, Real, Vec2};
 
 /// u, |e| and Φ.
-pub struct OnCircle<T, G> {
+pub struct OnCircle<T> {
     outwards: Vec2<T>,
     distance_m: T,
     off_m: T,
-    geometry: PhantomData<G>,
 }
 
-impl<T: Real> OnCircle<T, Plane> {
+impl<T: Real> OnCircle<T> {
     #[inline(always)]
     pub(super) fn at(state: &CutState<'_, T, Plane>) -> Self {
         let gap_m = state.gap_m;
         // Squares, not products: an interval knows that they are positive.
         let distance_m = (gap_m.x.squared() + gap_m.y.squared()).sqrt().max(T::from_f64(f64::MIN_POSITIVE));
         let outwards = gap_m * (T::one() / distance_m);
-        Self { outwards, distance_m, off_m: distance_m - state.numbers.radius_m, geometry: PhantomData }
+        Self { outwards, distance_m, off_m: distance_m - state.numbers.radius_m }
     }
 }
 
-impl<T: Real> RowAt<T, Plane> for OnCircle<T, Plane> {
+impl<T: Real> RowAt<T, Plane> for OnCircle<T> {
     #[inline(always)]
     fn residuals(&self, out: &mut [T]) {
         out[0] = self.off_m;

@@ -4,27 +4,25 @@
 //! dn/dt = -ω d, dd/dt = ω n.
 
 use super::form::{CutMotion, CutState, RowAt};
-use core::marker::PhantomData;
 use loosepin_math::{Plane, Real, Vec2};
 
 /// Directions along and across the line in the ground's frame, and e.
-pub struct OnLine<T, G> {
+pub struct OnLine<T> {
     line: Vec2<T>,
     normal: Vec2<T>,
     gap_m: Vec2<T>,
-    geometry: PhantomData<G>,
 }
 
-impl<T: Real> OnLine<T, Plane> {
+impl<T: Real> OnLine<T> {
     #[inline(always)]
     pub(super) fn at(state: &CutState<'_, T, Plane>) -> Self {
         let (sine, cosine) = (state.poses[0].angle_rad() + state.numbers.markers[0]).sin_cos();
         let (line, normal) = (Vec2::new(cosine, sine), Vec2::new(-sine, cosine));
-        Self { line, normal, gap_m: state.gap_m, geometry: PhantomData }
+        Self { line, normal, gap_m: state.gap_m }
     }
 }
 
-impl<T: Real> RowAt<T, Plane> for OnLine<T, Plane> {
+impl<T: Real> RowAt<T, Plane> for OnLine<T> {
     #[inline(always)]
     fn residuals(&self, out: &mut [T]) {
         out[0] = self.normal.dot(self.gap_m);

@@ -4,14 +4,12 @@
 
 use super::form::{CutMotion, CutState, RowAt};
 use crate::model::MarkerAxis;
-use core::marker::PhantomData;
 use loosepin_math::{Geometry, Real, Space, Vec3, Vector};
 
 /// a, b and a × b, in the ground's frame.
-pub struct Perpendicular<T, G> {
+pub struct Perpendicular<T> {
     axes: [Vec3<T>; 2],
     across: Vec3<T>,
-    geometry: PhantomData<G>,
 }
 
 /// An axis of the marker of the first body or the second, in the ground's frame.
@@ -32,15 +30,15 @@ pub(super) fn axis_change<T: Real>(axis: Vec3<T>, spin: Vec3<T>, spin_rate: Vec3
     Space::centripetal(Space::swung(spin_rate, axis), spin, axis)
 }
 
-impl<T: Real> Perpendicular<T, Space> {
+impl<T: Real> Perpendicular<T> {
     #[inline(always)]
     pub(super) fn at(state: &CutState<'_, T, Space>, axes: [MarkerAxis; 2]) -> Self {
         let axes = [axis(state, 0, axes[0]), axis(state, 1, axes[1])];
-        Self { axes, across: Space::swung(axes[0], axes[1]), geometry: PhantomData }
+        Self { axes, across: Space::swung(axes[0], axes[1]) }
     }
 }
 
-impl<T: Real> RowAt<T, Space> for Perpendicular<T, Space> {
+impl<T: Real> RowAt<T, Space> for Perpendicular<T> {
     #[inline(always)]
     fn residuals(&self, out: &mut [T]) {
         out[0] = self.axes[0].inner(self.axes[1]);

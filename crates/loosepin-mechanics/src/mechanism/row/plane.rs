@@ -2,31 +2,20 @@
 
 use super::angle::Angle;
 use super::coincident::Coincident;
-use super::form::{CutState, RowGeometry};
-use super::list::rows_at;
+use super::list::rows;
 use super::on_circle::OnCircle;
 use super::on_line::OnLine;
 use crate::mechanism::tree::cut_numbers::CutNumbers;
 use crate::mechanism::tree::points::direction;
-use crate::model::PlaneRow;
+use crate::model::{PlaneRow, Row};
 use loosepin_math::{Plane, Real, Vec2};
 
-rows_at! {
-    /// A condition in the plane at a state.
-    PlaneRowAt over Plane { Coincident, OnLine, OnCircle, Angle }
-}
-
-impl RowGeometry for Plane {
-    type RowAt<T: Real> = PlaneRowAt<T>;
-
-    #[inline(always)]
-    fn row_at<T: Real>(row: PlaneRow, state: &CutState<'_, T, Self>) -> PlaneRowAt<T> {
-        match row {
-            PlaneRow::Coincident => PlaneRowAt::Coincident(Coincident::at(state)),
-            PlaneRow::OnLine => PlaneRowAt::OnLine(OnLine::at(state)),
-            PlaneRow::OnCircle => PlaneRowAt::OnCircle(OnCircle::at(state)),
-            PlaneRow::Angle => PlaneRowAt::Angle(Angle::at(state)),
-        }
+rows! {
+    Plane, PlaneRow, |state| {
+        PlaneRow::Coincident => Coincident::at(state),
+        PlaneRow::OnLine => OnLine::at(state),
+        PlaneRow::OnCircle => OnCircle::at(state),
+        PlaneRow::Angle => Angle::at(state),
     }
 }
 

@@ -1,10 +1,10 @@
 //! Poses, velocities and accelerations of all bodies from the coordinates of the tree, in every geometry.
 
-use crate::mechanism::attachment::{Columns, FormOfAttachment, Hung, KindOfAttachment, MovingGeometry, Place, Rates};
+use crate::mechanism::attachment::{Columns, Hung, KindOfAttachment, MovingGeometry, Place, Rates};
 use crate::mechanism::tree::kinematics::{Kinematics, Pose, Twist};
 use crate::mechanism::tree::numbers::TreeNumbers;
-use crate::mechanism::tree::spanning_tree::{Link, Tree};
-use loosepin_math::{KnownAngle, Real, Vector, sin_cos_near};
+use crate::mechanism::tree::spanning_tree::Tree;
+use loosepin_math::{KnownAngle, Real, Vector};
 
 impl<T: Real, G: MovingGeometry> Kinematics<T, G> {
     /// Room for `tree`.
@@ -37,34 +37,36 @@ impl<T: Real, G: MovingGeometry> Kinematics<T, G> {
     /// Poses and partial velocities at `coordinates` (m and rad, free ones first).
     #[inline(never)]
     pub fn set_positions(&mut self, tree: &Tree<G>, numbers: &TreeNumbers<T, G>, coordinates: &[T]) {
-        for (index, link) in tree.links.iter().enumerate() {
-            let slot = index + 1;
-            let place = Place { tree, numbers, slot };
-            let parent = self.poses[link.parent_slot];
-            let (is_near, known) = (self.is_near, &self.known[slot]);
-            let sin_cos = |angle_rad: T| if is_near { sin_cos_near(angle_rad, known) } else { angle_rad.sin_cos() };
-            let own = (&coordinates[link.coordinates.clone()], coordinates);
-            let range = self.offsets[slot] + link.inherited..self.offsets[slot + 1];
-            let columns = Columns { linear: &mut self.partials[range.clone()], turnings: &mut self.turnings[range] };
-            let Hung { pose, reach_m } = link.attachment.hang(&place, &parent, own, sin_cos, columns);
+        for place in Place::all(tree, numbers) {
+            let Place { link, slot, .. } = place;
+            let near = self.is_near.then_some(&self.known[slot]);
+            let (first, last) = (self.offsets[slot] + link.inherited, self.offsets[slot + 1]);
+            let columns =
+                Columns { linear: &mut self.partials[first..last], turnings: &mut self.turnings[first..last] };
+            let parent = &self.poses[link.parent_slot];
+            let Hung { pose, reach_m, turns_alone } = link.attachment.hang(&place, parent, coordinates, near, columns);
             self.poses[slot] = pose;
-            self.carry_columns(tree, link, slot, reach_m);
+            self.carry_columns(place, (reach_m, turns_alone));
         }
     }
 
     /// The columns of the parent, carried to the body: with the point of the joint where it turns alone, else as part of the parent.
     #[inline(always)]
-    fn carry_columns(&mut self, tree: &Tree<G>, link: &Link<G>, slot: usize, reach_m: G::Vector<T>) {
-        let turns_alone = link.attachment.turns_alone();
+    fn carry_columns(&mut self, place: Place<'_, T, G>, (reach_m, turns_alone): (G::Vector<T>, bool)) {
+        let Place { tree, link, slot, .. } = place;
         let (from, to) = (self.offsets[link.parent_slot], self.offsets[slot]);
         debug_assert!(
             tree.dependences(link.parent_slot).len() >= link.inherited,
             "a body inherits from its parent alone"
         );
-        for k in 0..link.inherited {
-            let turning = self.turnings[from + k];
-            self.partials[to + k] = G::moved(self.partials[from + k], turning, reach_m);
-            self.turnings[to + k] = if turns_alone { G::still() } else { turning };
+        let (partials, own_partials) = self.partials.split_at_mut(to);
+        let (turnings, own_turnings) = self.turnings.split_at_mut(to);
+        let last = from + link.inherited;
+        let of_parent = partials[from..last].iter().zip(&turnings[from..last]);
+        let own = own_partials[..link.inherited].iter_mut().zip(&mut own_turnings[..link.inherited]);
+        for ((own_partial, own_turning), (partial, turning)) in own.zip(of_parent) {
+            *own_partial = G::moved(*partial, *turning, reach_m);
+            *own_turning = if turns_alone { G::still() } else { *turning };
         }
     }
 
@@ -72,9 +74,8 @@ impl<T: Real, G: MovingGeometry> Kinematics<T, G> {
     /// `driven_accelerations` (in the order of the tree's drives). Needs [`Self::set_velocities`].
     #[inline(never)]
     pub fn set_biases(&mut self, tree: &Tree<G>, numbers: &TreeNumbers<T, G>, rates: &[T], driven_accelerations: &[T]) {
-        for (index, link) in tree.links.iter().enumerate() {
-            let place = Place { tree, numbers, slot: index + 1 };
-            self.biases[index + 1] = link.attachment.bias(&place, self, Rates { rates, driven_accelerations });
+        for place in Place::all(tree, numbers) {
+            self.biases[place.slot] = place.link.attachment.bias(&place, self, Rates { rates, driven_accelerations });
         }
     }
 }

@@ -45,7 +45,7 @@ fn tree() -> (Tree<Space>, TreeNumbers<f64, Space>) {
         let marker = |salt: f64| {
             let [x, y, z] = three(salt);
             let length = (1.0 + x * x + y * y + z * z).sqrt();
-            Space::oriented(&[1.0, x, y, z].map(|entry| entry / length), f64::sin_cos)
+            Space::oriented(&[1.0, x, y, z].map(|entry| entry / length), None)
         };
         let mut numbers = link([three(0.1), three(0.2)], marker(0.3), 1.0 + index as f64, [2.0, 3.0, 4.0]);
         numbers.mount = SpaceMount::new(marker(0.3), marker(0.4));
@@ -59,7 +59,7 @@ fn tree() -> (Tree<Space>, TreeNumbers<f64, Space>) {
         let marker = |salt: f64| {
             let Vec3 { x, y, z } = three(salt);
             let length = (1.0 + x * x + y * y + z * z).sqrt();
-            Space::oriented(&[1.0, x, y, z].map(|entry| entry / length), f64::sin_cos)
+            Space::oriented(&[1.0, x, y, z].map(|entry| entry / length), None)
         };
         let numbers = CutNumbers {
             arms_m: [three(0.7), three(0.8)],

@@ -63,7 +63,7 @@ fn known_answer_the_ball_of_a_four_bar_touches_its_socket_when_another_program_s
     let coupler_spin = vector([0.28627521898609914, 4.137024216681809, -4.102523228134192]);
     let rocker = [0.7070551295681634, -0.5605161654250668, 0.43107032871351664, 0.008546563715773314];
     let rocker_spin = vector([6.57975621228646, 8.773008283048615, 0.0]);
-    let turned = |quaternion: &[f64]| Space::oriented(quaternion, f64::sin_cos);
+    let turned = |quaternion: &[f64]| Space::oriented(quaternion, None);
     let rotations = [&unturned(), &turned(&rocker)];
     let spins = [vector([0.0; 3]), rocker_spin];
     let [angle_rad, rate_rad_s] = Space::angle_between(rotations, spins, &numbers.links[2].mount, false);
