@@ -284,6 +284,9 @@ pub struct ClearanceAnswer {
     /// Sum of the first-order effects of all joints: a preview of the worst case, which may be larger.
     #[serde(with = "extended", default)]
     pub first_order_si: Vec<f64>,
+    /// The same with pins that do not lean; empty where pins do not lean anyway.
+    #[serde(with = "extended", default, skip_serializing_if = "Vec::is_empty")]
+    pub held_first_order_si: Vec<f64>,
     /// The largest magnitude of the deviation that was found; empty in previews.
     #[serde(with = "extended", default)]
     pub worst_case_si: Vec<f64>,

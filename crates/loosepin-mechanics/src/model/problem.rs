@@ -47,6 +47,9 @@ problems! {
         FilmNeedsLength { entry: String } => Code::ConflictingKeys,
             says("{entry}: 'contact' needs 'bearing_length'"),
             hint("the contact has a film of oil, whose force depends on the length of the bearing");
+        LeanNeedsLength { entry: String } => Code::MissingKey,
+            says("{entry}: a pin that leans needs 'bearing_length'"),
+            hint("lean = \"free\" lets pins with play lean in their bearings, the more the shorter these are; for example bearing_length = \"20 mm\"");
         NothingWears { entry: String } => Code::MissingKey,
             says("{entry}: neither 'bearing' nor 'journal' has a coefficient"),
             hint("for example bearing = {{ coefficient = \"1e-15 m^2/N\" }}");

@@ -9,6 +9,7 @@ use loosepin_text::units::SiUnit;
 
 use super::angles::{asked_place, largest, shown_angle_rad, turn_angle};
 use super::kinematic_sentences::kinematic_sentences;
+use super::lean::lean_words;
 use super::moved::{has_clearance, has_scatter, moved_words};
 use super::play_effect::{is_spread_anywhere, play_effect, spread, unproven_sentences};
 use super::searched::searched_said;
@@ -43,10 +44,11 @@ pub(super) fn all_said(record: &MotionRecord, writer: &NumberWriter) -> Vec<Said
             let spread = spread(record, output, writer);
             let spread = spread.map(|spread| format!(" {likely}, the standard deviation is at most {spread}."));
             let words = format!(
-                "Play alone moves the {} by up to {} ({}).{}",
+                "Play alone moves the {} by up to {} ({}).{}{}",
                 moved_words(output),
                 effect.written(output, writer),
                 effect.words(record, output, writer),
+                lean_words(record, output, writer).map_or_else(String::new, |words| format!(" {words}")),
                 spread.unwrap_or_default(),
             );
             let weight = weight_of(place);

@@ -24,6 +24,7 @@ mod contributors;
 mod drawing;
 mod efforts;
 mod kinematic_sentences;
+mod lean;
 mod live_curve;
 mod moved;
 mod page;

@@ -3,14 +3,17 @@
 //! Where constraints of joints repeat each other, the plays have to meet conditions together: the bar of a third crank that is a little too long
 //! must be taken up by the play of the others. The plane counts each play alone; space knows the conditions. So such a mechanism is laid into space, with
 //! pins about z that do not lean, and asked there.
+//!
+//! So is a mechanism whose pins lean out of the plane: each body lies in its layer, as far above the plane of the drawing as its offset, a joint
+//! in the layer of its first body, which has the bearing, and an output in that of its own. All frames lie in the plane of the drawing.
 
 use super::play_reach::PlayReach;
 use loosepin_math::{Pose, Quaternion, Vec2, Vec3};
 use loosepin_mechanics::mechanism::{IdealMotion, Mechanism, point_m};
-use loosepin_mechanics::model::{Axis, PlayId, PointId, Position, TreeAttachment, Values};
+use loosepin_mechanics::model::{Axis, BodyId, Clearance, Model, PlayId, PointId, Position, TreeAttachment, Values};
 use loosepin_space::{
     Body, Drive, DriveValue, Joint, JointCoordinate, Marker, PointOutput, Position as PositionInSpace, Prismatic,
-    Revolute, Rigid, RotationOutput, SpatialMechanism, SpatialOutput, UprightPlay, assemble,
+    Revolute, RevolutePlay, Rigid, RotationOutput, SpatialMechanism, SpatialOutput, SpatialPlay, UprightPlay, assemble,
 };
 
 /// A mechanism laid into space.
@@ -24,11 +27,16 @@ pub(super) struct InSpace<'a> {
 }
 
 impl<'a> InSpace<'a> {
-    /// Of a mechanism with these plays.
+    /// Of a mechanism with these plays. `leans`: whether its pins lean in their bearings.
     ///
     /// # Errors
     /// Why it cannot be laid into space, in words.
-    pub fn new(mechanism: &'a Mechanism, values: &'a Values, reaches: &[PlayReach]) -> Result<Self, String> {
+    pub fn new(
+        mechanism: &'a Mechanism,
+        values: &'a Values,
+        reaches: &[PlayReach],
+        leans: bool,
+    ) -> Result<Self, String> {
         let model = &mechanism.model;
         if let Some(coupling) = model.couplings.first() {
             return Err(format!("there is none of {}", loosepin_mechanics::model::describe_path(&coupling.path)));
@@ -43,8 +51,7 @@ impl<'a> InSpace<'a> {
             let (PlayId::Joint(joint), PlayReach::Disc { radius_m }) = (*play, *reach) else {
                 return Err(format!("there is no play like that of '{}'", model.play_name(*play)));
             };
-            let upright = UprightPlay { radial_clearance_m: radius_m, axial_clearance_m: 0.0 };
-            joints[joint.0].play = Some(upright.into());
+            joints[joint.0].play = Some(pin_play(model.joints[joint.0].kind.pin_clearance(), values, radius_m, leans));
             joint_of_play.push(joint.0);
         }
         let drive = |own: &loosepin_mechanics::model::DriveId| {
@@ -112,9 +119,25 @@ impl<'a> InSpace<'a> {
 
     /// Displacement of a point along a unit vector.
     fn displacement(&self, point: PointId, direction: Vec2<f64>) -> Option<SpatialOutput> {
-        let point_m = lifted(point_m(&self.mechanism.model, self.values, point));
+        let model = &self.mechanism.model;
+        let layer = Vec3::Z * layer_m(model, self.values, point.body);
+        let point_m = lifted(point_m(model, self.values, point)) + layer;
         Some(PointOutput { body: point.body.0, point_m, direction: lifted(direction) }.into())
     }
+}
+
+/// The play of a pin of this radial clearance: in a bearing in which it leans, or upright.
+fn pin_play(clearance: Option<&Clearance>, values: &Values, radial_clearance_m: f64, leans: bool) -> SpatialPlay {
+    let axial_clearance_m = clearance.and_then(|own| own.axial_clearance_m).map_or(0.0, |id| values[id]);
+    match clearance.and_then(|own| own.bearing_length_m).filter(|_| leans) {
+        Some(length) => RevolutePlay { bearing_length_m: values[length], radial_clearance_m, axial_clearance_m }.into(),
+        None => UprightPlay { radial_clearance_m, axial_clearance_m: 0.0 }.into(),
+    }
+}
+
+/// How far a body lies above the plane of the drawing, m.
+fn layer_m(model: &Model, values: &Values, body: BodyId) -> f64 {
+    model.bodies[body.0].offset_m.map_or(0.0, |id| values[id])
 }
 
 fn lifted(vector: Vec2<f64>) -> Vec3 {
@@ -130,9 +153,10 @@ fn laid(
 ) -> Option<Joint> {
     let model = &mechanism.model;
     let angles_rad = kind.angles_rad().map(|angle_rad| angle_rad.map_or(0.0, |angle_rad| values[angle_rad]));
+    let layer = Vec3::Z * layer_m(model, values, kind.bodies()[0]);
     let marker = |side: usize, along_line: bool| {
         let point = kind.points()[side];
-        let place_m = lifted(point_m(model, values, point));
+        let place_m = lifted(point_m(model, values, point)) + layer;
         let (sine, cosine) = angles_rad[side].sin_cos();
         let line = Vec3::new(cosine, sine, 0.0);
         let [z_axis, x_axis] = if along_line { [line, Vec3::Z] } else { [Vec3::Z, line] };

@@ -6,7 +6,6 @@ use super::cycle_worst_case::{WalkedCycle, add_worst_cases};
 use super::dimension::{DimensionDirection, dimension_direction};
 use super::efforts::ideal_efforts;
 use super::error::AccuracyError;
-use super::in_space::InSpace;
 use super::loops::DisplacedLoops;
 use super::overhang::{Overhangs, overhanging};
 use super::path::{PathRecorder, points_of_paths, reach_by_gradients_m};
@@ -354,9 +353,10 @@ impl<'a> Recorder<'a> {
             .collect();
         let speeds = |[x, y]: [usize; 2]| jets.iter().map(|jets| jets[x][1].hypot(jets[y][1])).collect();
         let parts = AccuracyOutput::all(outputs, speeds, round_off_m_s);
-        let must_meet_conditions = mechanism.ideal.is_redundant() && !mechanism.plays.is_empty();
-        let (together, unknown) = match must_meet_conditions.then(|| InSpace::new(mechanism, values, &reaches)) {
-            Some(Ok(space)) => (Some(Together::new(space)), None),
+        let must_meet_conditions = mechanism.ideal.is_redundant() || mechanism.model.leans;
+        let is_in_space = must_meet_conditions && !mechanism.plays.is_empty();
+        let (together, unknown) = match is_in_space.then(|| Together::new(mechanism, values, &reaches)) {
+            Some(Ok(together)) => (Some(together), None),
             Some(Err(reason)) => (None, Some(reason)),
             None => (None, None),
         };
@@ -600,6 +600,11 @@ fn correlated(
 
 /// That nothing is known of play, in words.
 fn unknown_words(mechanism: &Mechanism, reason: &str) -> String {
+    if mechanism.model.leans {
+        return format!(
+            "pins lean out of the plane, which is asked in space, but {reason}: what play does is not known"
+        );
+    }
     let owners = mechanism.redundant.iter().map(|(owner, _)| owner.words(&mechanism.model)).collect::<Vec<_>>();
     format!(
         "constraints of {} repeat others, so that the plays must meet conditions together; that is found as in space, but {reason}: \

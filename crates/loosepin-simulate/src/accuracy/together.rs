@@ -2,9 +2,10 @@
 
 use super::in_space::InSpace;
 use super::path::PathRecorder;
+use super::play_reach::PlayReach;
 use loosepin_math::Vec2;
-use loosepin_mechanics::mechanism::IdealMotion;
-use loosepin_mechanics::model::Position;
+use loosepin_mechanics::mechanism::{IdealMotion, Mechanism};
+use loosepin_mechanics::model::{Position, Values};
 use loosepin_result::motion::{ClearanceAnswer, OutputMotion, SearchedPosition, UnprovenSpan};
 use loosepin_space::{PlayDistribution, PoseAccuracy, SearchOptions, SpatialOutput, dead_centre_spans};
 
@@ -17,6 +18,8 @@ type Weights = Vec<(usize, f64)>;
 /// Fills the answers of a mechanism in space.
 pub(super) struct Together<'a> {
     space: InSpace<'a>,
+    /// The same with pins that do not lean, where they do.
+    held: Option<InSpace<'a>>,
     /// Whether play reaches a dead centre, at each position so far.
     dead_centres: Vec<bool>,
     /// What each output is at each position so far.
@@ -24,8 +27,15 @@ pub(super) struct Together<'a> {
 }
 
 impl<'a> Together<'a> {
-    pub fn new(space: InSpace<'a>) -> Self {
-        Self { space, dead_centres: Vec::new(), outputs: Vec::new() }
+    /// Of a mechanism with these plays.
+    ///
+    /// # Errors
+    /// Why it cannot be laid into space, in words.
+    pub fn new(mechanism: &'a Mechanism, values: &'a Values, reaches: &[PlayReach]) -> Result<Self, String> {
+        let leans = mechanism.model.leans;
+        let held = leans.then(|| InSpace::new(mechanism, values, reaches, false)).transpose()?;
+        let space = InSpace::new(mechanism, values, reaches, leans)?;
+        Ok(Self { space, held, dead_centres: Vec::new(), outputs: Vec::new() })
     }
 
     /// Takes a state: weights of the readings in each output there, and the values of the readings for the paths.
@@ -41,6 +51,9 @@ impl<'a> Together<'a> {
     ) -> Result<(), String> {
         let (mechanism, position) = self.space.at(state)?;
         let accuracy = PoseAccuracy::new(&mechanism, &position).map_err(|error| error.to_string())?;
+        if let Some(held) = &self.held {
+            record_held(held, state, (readings, weights), outputs)?;
+        }
         let mut own = Vec::with_capacity(weights.len());
         for (weights, motion) in weights.iter().zip(outputs) {
             let output = self.space.output(readings, weights);
@@ -117,6 +130,25 @@ impl<'a> Together<'a> {
     pub fn unproven_spans(&self, angles_rad: &[f64]) -> Vec<UnprovenSpan> {
         dead_centre_spans(angles_rad, &self.dead_centres)
     }
+}
+
+/// Takes a state with pins that do not lean.
+fn record_held(
+    held: &InSpace<'_>,
+    state: &IdealMotion<'_>,
+    (readings, weights): (&[Position], &[Weights]),
+    outputs: &mut [OutputMotion],
+) -> Result<(), String> {
+    let (mechanism, position) = held.at(state)?;
+    let accuracy = PoseAccuracy::new(&mechanism, &position).map_err(|error| error.to_string())?;
+    for (weights, motion) in weights.iter().zip(outputs) {
+        let output = held.output(readings, weights);
+        let output = output.ok_or_else(|| format!("output '{}' is seen from a body", motion.name))?;
+        let gains = accuracy.gains(&output).map_err(|error| error.to_string())?;
+        let first_order = accuracy.first_order(&gains).map_err(|error| error.to_string())?;
+        motion.clearance.held_first_order_si.push(first_order.worst);
+    }
+    Ok(())
 }
 
 /// The position of the largest effect of first order, the first of several alike; `None` where play moves nothing.

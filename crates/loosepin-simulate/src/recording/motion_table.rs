@@ -29,6 +29,7 @@ pub fn motion_columns<'r>(record: &'r MotionRecord) -> Vec<HistoryColumn<'r>> {
         add(&output.name, "_acceleration", units[2], &output.acceleration_si);
         if !output.clearance.searched.is_empty() {
             add(&output.name, "_first_order_worst_case", units[0], &output.clearance.first_order_si);
+            add(&output.name, "_first_order_worst_case_without_lean", units[0], &output.clearance.held_first_order_si);
             add(&output.name, "_standard_deviation", units[0], &output.clearance.disc_standard_deviation_si);
         }
         add(&output.name, "_play_lowest", units[0], &output.clearance.lowest_si);

@@ -12,8 +12,10 @@ pub struct Clearance {
     pub has_radius: bool,
     /// Radial clearance c = R_i - R_j, m, >= 0 and < R_i; zero makes the joint ideal.
     pub radial_clearance_m: QuantityId,
-    /// Length L of the bearing, m, > 0; there where the contact is a line contact.
+    /// Length L of the bearing, m, > 0; there where the contact is a line contact, and where pins lean.
     pub bearing_length_m: Option<QuantityId>,
+    /// How far the pin moves along its axis from the middle to either stop, m, >= 0; zero if absent. Matters where pins lean.
+    pub axial_clearance_m: Option<QuantityId>,
     /// The contact between pin and hole.
     pub contact: ContactId,
 }

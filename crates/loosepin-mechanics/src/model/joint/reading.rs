@@ -34,6 +34,9 @@ pub trait JointReader: PartReader {
     /// A contact.
     fn contact(&mut self, entry: &Entry<'_>) -> Option<ContactId>;
 
+    /// Whether pins with play lean out of the plane.
+    fn leans(&self) -> bool;
+
     /// The contact that stands for none, of what has play and names none.
     fn no_contact(&mut self) -> ContactId;
 

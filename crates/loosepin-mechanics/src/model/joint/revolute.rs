@@ -84,7 +84,7 @@ fn clearance(own: &RevoluteTable<'_>, reader: &mut dyn JointReader) -> Option<Op
         clearance: if on_diameter { DIAMETRAL } else { RADIAL },
         needed: &["contact"],
         with_contact: &["bearing_radius"],
-        beside: &["bearing_radius", "bearing_length", "contact"],
+        beside: &["bearing_radius", "bearing_length", "axial_clearance", "contact"],
     };
     if let Some(radial) = own.radial_clearance.as_ref().filter(|_| on_diameter) {
         let problem = ModelProblem::ClearanceTwice { entry: table.path.describe() };
@@ -111,8 +111,20 @@ fn clearance(own: &RevoluteTable<'_>, reader: &mut dyn JointReader) -> Option<Op
         };
         return reader.document().refuse(&problem, table.get("contact").map_or(table.span, |entry| entry.key_span));
     }
-    let bearing_length_m = own.bearing_length.flatten();
-    Some(Some(Clearance { bearing_radius_m, has_radius, radial_clearance_m, bearing_length_m, contact }))
+    if reader.leans() && own.bearing_length.is_none() {
+        return reader
+            .document()
+            .refuse(&ModelProblem::LeanNeedsLength { entry: table.path.describe() }, own.clearance_span());
+    }
+    let (bearing_length_m, axial_clearance_m) = (own.bearing_length.flatten(), own.axial_clearance);
+    Some(Some(Clearance {
+        bearing_radius_m,
+        has_radius,
+        radial_clearance_m,
+        bearing_length_m,
+        axial_clearance_m,
+        contact,
+    }))
 }
 
 /// What stands for the radius of a bearing that states none, for drawings: a model with it is not run, and its motion does not depend on it.
@@ -150,9 +162,11 @@ record! {
     optional radial_clearance: Entry<'t> = quantity(D::LENGTH, Rule::NonNegative), "\"0.5 mm\"";
     /// diameter of the hole minus diameter of the pin, instead of radial_clearance: twice its value
     optional diametral_clearance: Entry<'t> = quantity(D::LENGTH, Rule::NonNegative), "\"1 mm\"";
-    /// length of the bearing along its axis, for line-contact laws and films of oil; a point-contact law does not use it, but the result
-    /// then also shows what a line-contact law would give
+    /// length of the bearing along its axis, for line-contact laws, films of oil and pins that lean; a point-contact law does not use it, but
+    /// the result then also shows what a line-contact law would give
     optional bearing_length: Option<QuantityId> = quantity(D::LENGTH, Rule::Positive), "\"20 mm\"";
+    /// how far the pin moves along its axis from the middle to either stop; 0 if omitted. Matters where pins lean
+    optional axial_clearance: QuantityId = quantity(D::LENGTH, Rule::NonNegative), "\"0.1 mm\"";
     /// the contact between pin and hole
     optional contact: Option<ContactId> = Kind::Reference("contact"), "\"steel_pin\"";
     /// friction of a joint without play; none if omitted. For a joint with play, the contact gives the friction

@@ -42,6 +42,8 @@ pub struct Model {
     pub quantities: QuantityTable,
     /// Acceleration of gravity along -y, m/s².
     pub gravity_m_s2: QuantityId,
+    /// Whether pins with play lean in their bearings, out of the plane; runs stay in it.
+    pub leans: bool,
     /// Bodies; index 0 is the ground, which has points and no mass.
     pub bodies: Vec<Body>,
     /// Contact descriptions, shared by any number of joints.
@@ -172,6 +174,8 @@ pub struct Body {
     pub inertia_kg_m2: Option<QuantityId>,
     /// Centre of mass in the body frame, m; absent for the ground.
     pub centre_of_mass_m: Option<[QuantityId; 2]>,
+    /// How far its plane lies above that of the drawing, along z, m; in that of the drawing if absent.
+    pub offset_m: Option<QuantityId>,
     /// Named points in the body frame.
     pub points: Vec<Point>,
     /// Flexible properties; its mass, inertia and centre of mass are then those of the straight beam with its lumps.

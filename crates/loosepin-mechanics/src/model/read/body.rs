@@ -15,10 +15,18 @@ use loosepin_text::units::{Dimension as D, Rule};
 const POINTS: Kind = Kind::Values(&Kind::Vector);
 
 record! {
+    /// where a body lies out of the plane
+    pub(super) struct LayerTable for PartReader;
+    /// how far the plane of the body lies above that of the drawing; matters where pins lean
+    optional offset: Entry<'t> = quantity(D::LENGTH, Rule::Finite), "\"12 mm\"";
+}
+
+record! {
     /// the ground: points that do not move
     pub(super) struct GroundTable for PartReader;
     /// named points in the frame of the body
     optional points: Entry<'t> = POINTS, "{ o = [\"0 mm\", \"0 mm\"] }";
+    include layer: LayerTable<'t>;
     include warmth: ThermalTable<'t>;
 }
 
@@ -35,6 +43,7 @@ record! {
     optional points: Entry<'t> = POINTS, "{ pin = [\"50 mm\", \"0 mm\"] }";
     /// a beam that bends and stretches, under [body.NAME.beam]
     optional beam: Entry<'t> = Kind::Table(&BeamTable::KEYS), "";
+    include layer: LayerTable<'t>;
     include warmth: ThermalTable<'t>;
 }
 
@@ -50,6 +59,7 @@ impl ModelReader {
                 if let Some(own) = GroundTable::read(self, &entry) {
                     let elongation = self.elongation(&own.warmth);
                     self.elongations.extend(elongation.map(|id| (BodyId(0), id)));
+                    self.bodies[0].offset_m = self.offset_m(&own.layer);
                     self.bodies[0].points = self.points(&own.points, elongation);
                 }
                 continue;
@@ -60,6 +70,7 @@ impl ModelReader {
                 mass_kg: Some(UNREAD),
                 inertia_kg_m2: Some(UNREAD),
                 centre_of_mass_m: Some([UNREAD; 2]),
+                offset_m: None,
                 points: Vec::new(),
                 beam: None,
             };
@@ -74,6 +85,7 @@ impl ModelReader {
                 let centre = own.centre_of_mass.as_ref().map(|entry| self.vector(entry));
                 body.centre_of_mass_m =
                     centre.map(|centre| centre.map(|length| self.thermally_expanded(length, elongation)));
+                body.offset_m = self.offset_m(&own.layer);
                 body.points = self.points(&own.points, elongation);
                 if let Some(entry) = &own.beam {
                     for key in MASS_KEYS {
@@ -105,6 +117,10 @@ impl ModelReader {
                 .reader
                 .report(&DocumentProblem::MoreThanOneOf { table, given: given.clone(), keys: given }, entry.key_span);
         }
+    }
+
+    fn offset_m(&mut self, own: &LayerTable<'_>) -> Option<QuantityId> {
+        own.offset.as_ref().and_then(|entry| self.numbers.quantity_at(entry))
     }
 
     fn points(&mut self, entry: &Option<Entry<'_>>, elongation: Option<QuantityId>) -> Vec<Point> {

@@ -69,6 +69,10 @@ impl JointReader for ModelReader {
         self.numbers.named(entry, "contact", &name, &self.contact_names)
     }
 
+    fn leans(&self) -> bool {
+        self.leans
+    }
+
     fn no_contact(&mut self) -> ContactId {
         Self::no_contact(self)
     }

@@ -68,6 +68,15 @@ enum Geometry {
 
 choices!(Geometry: "plane" => Self::Plane, "space" => Self::Space);
 
+/// What pins with play do out of the plane.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Lean {
+    Held,
+    Free,
+}
+
+choices!(Lean: "held" => Self::Held, "free" => Self::Free);
+
 record! {
     /// a planar mechanism with its nominal values
     struct ModelTable for PartReader;
@@ -75,6 +84,9 @@ record! {
     required name: Option<String> = Kind::Text, "\"worn pin\"";
     /// "plane" for a planar mechanism, which is meant if omitted; "space" for one in space, which has a format of its own
     optional geometry: Geometry = choice::<Geometry>(), "\"plane\"";
+    /// "free" where pins with play lean in their bearings, out of the plane: the motion without dynamics is then asked in space, and says how
+    /// much of a deviation is lean; "held", as in the plane, if omitted. Runs stay in the plane
+    optional lean: Lean = choice::<Lean>(), "\"held\"";
     /// acceleration along -y; "0 m/s^2" for none; needed for runs
     optional gravity: Entry<'t> = quantity(Dimension::ACCELERATION, Rule::Finite), "\"9.81 m/s^2\"";
     /// temperature of parts with thermal_expansion above the temperature of their drawings
@@ -175,6 +187,7 @@ impl ModelReader {
         }
         let Some(own) = ModelTable::of(&mut self, root) else { return Err(self.numbers.reader.diagnostics) };
         let name = own.name.unwrap_or_default();
+        self.leans = own.lean == Some(Lean::Free);
         if let Some(entry) = &own.parameter {
             self.numbers.read_parameters(entry);
         }
@@ -217,6 +230,7 @@ impl ModelReader {
                 name,
                 quantities: self.numbers.quantities,
                 gravity_m_s2,
+                leans: self.leans,
                 bodies: self.bodies,
                 contacts: self.contacts,
                 joints: self.joints,

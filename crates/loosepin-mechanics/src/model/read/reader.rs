@@ -20,6 +20,8 @@ use loosepin_text::units::{Dimension, Rule};
 /// A model in the making.
 pub(super) struct ModelReader {
     pub numbers: NumberReader,
+    /// Whether pins lean out of the plane.
+    pub leans: bool,
     /// Bodies whose points could not be read.
     pub without_points: HashSet<BodyId>,
     pub bodies: Vec<Body>,
@@ -59,11 +61,13 @@ impl ModelReader {
             mass_kg: None,
             inertia_kg_m2: None,
             centre_of_mass_m: None,
+            offset_m: None,
             points: Vec::new(),
             beam: None,
         };
         ModelReader {
             numbers: NumberReader::new(source, hint_of_needs),
+            leans: false,
             without_points: HashSet::new(),
             body_of_name: HashMap::from([(ground.name.clone(), BodyId(0))]),
             temperature_rise_k: None,

@@ -5,6 +5,7 @@ mod curves;
 mod efforts;
 mod guide;
 mod kinematics;
+mod lean;
 mod mechanics;
 mod motion;
 mod near_dead_centres;
