@@ -252,8 +252,9 @@ pub trait KindOfModel: Debug + Send + Sync {
         false
     }
 
-    /// The motion under settings `path=value` as the page of a study shows it, where the study has no run to draw. `None` if it has no answer.
-    fn motion_of_page(&self, _settings: &[String]) -> Option<MotionRecord> {
+    /// The motion under settings `path=value`, with the paths of the points called `paths`, as the page of a study shows it, where the study has
+    /// no run to draw. `None` if it has no answer.
+    fn motion_of_page(&self, _settings: &[String], _paths: &[String]) -> Option<MotionRecord> {
         None
     }
 

@@ -135,7 +135,7 @@ impl KindOfModel for SpatialModel {
         Some(self)
     }
 
-    fn motion_of_page(&self, settings: &[String]) -> Option<MotionRecord> {
+    fn motion_of_page(&self, settings: &[String], paths: &[String]) -> Option<MotionRecord> {
         let values = values_under(self, settings).ok()?;
         self.motion_record(&values).ok()
     }
