@@ -58,10 +58,8 @@ pub trait KindOfModel: Debug + Send + Sync {
     /// All that can be asked of it, in file order; of a path each of its parts.
     fn outputs(&self) -> Vec<StudyOutput>;
 
-    /// Name, words and unit of each output of a model that has no runs; `None` where runs say what they are.
-    fn outputs_without_runs(&self) -> Option<Vec<(String, String, SiUnit)>> {
-        None
-    }
+    /// Name, words and unit of each output, in file order; a path in the plane is two of them.
+    fn described_outputs(&self) -> Vec<(String, String, SiUnit)>;
 
     /// How numbers are shown to people.
     fn shown_in(&self, usual: DisplayUnits) -> DisplayUnits {

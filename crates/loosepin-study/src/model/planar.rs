@@ -16,10 +16,10 @@ use loosepin_simulate::accuracy::{
     dimension_direction, motion_until, motion_with_worst_cases_until,
 };
 use loosepin_simulate::record::Override;
-use loosepin_simulate::{RunFailure, SmallestClearance, controlled_drawing};
+use loosepin_simulate::{RunFailure, SmallestClearance, columns, controlled_drawing};
 use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Place, Source};
 use loosepin_text::numbers::{QuantityId, QuantityTable, Values};
-use loosepin_text::units::DisplayUnits;
+use loosepin_text::units::{DisplayUnits, SiUnit};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
@@ -54,6 +54,10 @@ impl KindOfModel for Model {
 
     fn outputs(&self) -> Vec<StudyOutput> {
         planar_outputs(self)
+    }
+
+    fn described_outputs(&self) -> Vec<(String, String, SiUnit)> {
+        columns(self).into_iter().map(|column| (column.name, column.words, column.unit)).collect()
     }
 
     fn shown_in(&self, usual: DisplayUnits) -> DisplayUnits {

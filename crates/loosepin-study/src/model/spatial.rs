@@ -48,6 +48,14 @@ impl KindOfModel for SpatialModel {
         spatial_outputs(self)
     }
 
+    fn described_outputs(&self) -> Vec<(String, String, SiUnit)> {
+        let described = self.outputs.iter().map(|output| {
+            let words = format!("{} of {}", output.kind.word(), self.name_of(output.kind));
+            (output.name.clone(), words, SiUnit::of_dimension(output.kind.dimension()))
+        });
+        described.collect()
+    }
+
     fn find(&self, path: &str) -> Result<QuantityId, PathError> {
         spatial_paths::find(self, path)
     }
@@ -123,21 +131,14 @@ impl KindOfModel for SpatialModel {
         joints.map(|(joint, count)| (joint.to_owned(), count)).collect()
     }
 
-    fn outputs_without_runs(&self) -> Option<Vec<(String, String, SiUnit)>> {
-        let described = self.outputs.iter().map(|output| {
-            let words = format!("{} of {}", output.kind.word(), self.name_of(output.kind));
-            (output.name.clone(), words, SiUnit::of_dimension(output.kind.dimension()))
-        });
-        Some(described.collect())
-    }
-
     fn play_proofs(&self) -> Option<&dyn PlayProofs> {
         Some(self)
     }
 
     fn motion_of_page(&self, settings: &[String], paths: &[String]) -> Option<MotionRecord> {
         let values = values_under(self, settings).ok()?;
-        self.motion_record(&values).ok()
+        let points = self.points_of_paths(paths).ok()?;
+        self.motion_with_paths_until(&values, &points, false, &|| false).ok()
     }
 }
 
