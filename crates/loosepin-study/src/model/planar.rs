@@ -1,13 +1,12 @@
 //! What a model in the plane says of itself.
 
-use super::kind::{Clearance, DeviationProofs, KindOfModel, ProvenDeviations};
+use super::kind::{Clearance, DeviationProofs, KindOfModel, ProvenDeviations, ValuesUnderSettings};
 use super::motion_request::MotionRequest;
 use super::outputs::StudyOutput;
 use super::planar_outputs::planar_outputs;
 use loosepin_mechanics::mechanism::{Mechanism, MechanismError};
 use loosepin_mechanics::model::{
     BodyId, ContactId, Cycle, CycleInput, CycleSpan, LawError, Model, NormalDescription, PathError, PlayId, PointId,
-    SetValues,
 };
 use loosepin_result::motion::MotionRecord;
 use loosepin_result::simulation::Drawing;
@@ -80,13 +79,14 @@ impl KindOfModel for Model {
         Model::input(self, span, values)
     }
 
-    fn take_settings(&mut self, texts: &[String]) -> Result<Values, Diagnostics> {
-        let SetValues { model, values, .. } = self.set_values(texts)?;
-        *self = model;
-        Ok(values)
+    fn take_settings(&mut self, texts: &[String]) -> Result<ValuesUnderSettings, Diagnostics> {
+        let set = self.set_values(texts)?;
+        let warnings = set.warnings();
+        *self = set.model;
+        Ok(ValuesUnderSettings { values: set.values, warnings })
     }
 
-    fn take_values(&mut self, values: Values, warnings: Vec<Diagnostic>) {
+    fn take_values(&mut self, ValuesUnderSettings { values, warnings }: ValuesUnderSettings) {
         self.quantities.set_nominal(values);
         self.warnings.extend(warnings);
     }
