@@ -89,9 +89,9 @@ fn parts_that_scatter_leave_a_limit_in_space_undecided() {
     assert!(output.contains(due), "{output}");
 }
 
-/// Samples that grow over rounds, the inverse question, shares of the variance.
+/// A study whose samples grow over rounds.
 #[cfg(unix)]
-const STUDY: &str = r#"
+const INPUTS: &str = r#"
 name = "shared in space"
 model = "model.toml"
 seed = 11
@@ -109,29 +109,14 @@ budget = "3 rounds"
 
 [epistemic]
 "joint.main.axial_clearance" = { interval = ["0.05 mm", "0.3 mm"] }
-
-[[ask]]
-output = "slider"
-of = "total"
-poses = { crank = ["30 deg"] }
-statistics = ["mean", "contributors"]
-
-[[require]]
-output = "slider"
-of = "total"
-within = "0.8 mm"
-over = "cycle"
-probability_at_least = 0.8
-
-[allow]
-"joint.main.axial_clearance" = { up_to = "0.3 mm" }
 "#;
 
 #[cfg(unix)]
 fn shared() -> Desk {
     let desk = Desk::new();
     desk.write("model.toml", SLIDER_CRANK);
-    desk.write("study.toml", STUDY);
+    let questions = super::shards::questions("0.8 mm", "joint.main.axial_clearance", "0.3 mm");
+    desk.write("study.toml", &format!("{INPUTS}{questions}"));
     desk
 }
 
