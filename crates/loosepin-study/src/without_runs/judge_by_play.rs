@@ -23,7 +23,7 @@ pub(super) fn judge_by_play(
     let values = study.model.clone().take_settings(set)?.values;
     let limits = limits_unless_set(study, set);
     let (values, no_such_values) = with_most_play(&study.model, &values, &limits);
-    let input = study.model.input(study.cycle.span, &values);
+    let drive = study.model.input(study.cycle.span, &values);
     let (mut share, mut scattering) = (1.0, None);
     for input in &limits {
         let moves = proofs.moves(input.quantity);
@@ -46,16 +46,21 @@ pub(super) fn judge_by_play(
                 part,
                 is_value: requirement.deviation.is_value(),
                 has_play: requirement.deviation.has_play(),
-                turn: pose_rad.map(|pose_rad| input.turn_at(pose_rad)),
+                turn: pose_rad.map(|pose_rad| drive.turn_at(pose_rad)),
                 limits: requirement.limit.ends(),
             };
-            let known = answered.iter().find(|(known, _)| *known == question).map(|(_, ends)| ends.clone());
-            let ends = known.map_or_else(|| proofs.play_ends(&values, &question, is_stopped), Ok)?;
-            answered.push((question, ends.clone()));
+            let ends = match answered.iter().find(|(known, _)| *known == question) {
+                Some((_, ends)) => ends.clone(),
+                None => {
+                    let ends = proofs.play_ends(&values, &question, is_stopped)?;
+                    answered.push((question, ends.clone()));
+                    ends
+                }
+            };
             let reason = ends.unproven.or_else(|| unproven.clone());
             let ends = KnownEnds {
                 found_si: ends.found,
-                found_at_rad: ends.found_at.map(|turn| input.angle_at_turn_rad(turn)),
+                found_at_rad: ends.found_at.map(|turn| drive.angle_at_turn_rad(turn)),
                 proven_si: if reason.is_none() { ends.proven } else { NOTHING_PROVEN },
                 reason,
                 needs_dynamics: false,
