@@ -114,9 +114,10 @@ pub struct CheckArguments {
 /// Show the ideal motion and the quasi-static effect of play and tolerances
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Takes about a second. Shows the worst case of the play (the largest deviation found, and a proven limit), its standard \
-    deviation, and the contribution of each joint. For a study, it also shows the root sum of squares of the random inputs, and checks \
-    [[require]] and [allow] without dynamics. Writes motion.csv, summary.json and report.html.\n\n\
+    after_help = "Takes about a second; in space, proofs for requirements take longer. Shows the worst case of the play (the largest \
+    deviation found, and a proven limit), its standard deviation, and the contribution of each joint. For a study, it also shows the \
+    root sum of squares of the random inputs, and checks [[require]] without dynamics, in the plane also [allow]. Writes motion.csv, \
+    summary.json and report.html.\n\n\
     Exit status 1: a requirement is not met in the worst case, or cannot be decided without dynamics.\n\n\
     Examples:\n  loosepin motion model.toml\n  loosepin motion model.toml --path coupler.tool\n  \
     loosepin motion study.toml --set joint.gudgeon.radial_clearance=0.3mm"

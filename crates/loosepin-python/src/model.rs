@@ -4,10 +4,9 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use loosepin::diagnostics;
-use loosepin::mechanism::Mechanism;
-use loosepin::model::{self, Cycle, PathError, Quantity, QuantityId, Rule, SettingError};
+use loosepin::model::{self, Cycle, PathError, Quantity, QuantityId, Rule, Setting, SettingError};
 use loosepin::simulate::record::Override;
-use loosepin::simulate::{Plan, Settings, columns};
+use loosepin::simulate::{Plan, Settings};
 use loosepin::study::{
     InputFile, NamedPlace, NamedQuestion, NamedText, StudyModel, exact_value, model_from_texts, model_texts,
 };
@@ -126,18 +125,9 @@ impl Model {
     }
 
     /// Name, words and SI unit of each output.
-    fn outputs(&self) -> PyResult<Vec<(String, String, String)>> {
-        if let Some(described) = self.0.outputs_without_runs() {
-            return Ok(described
-                .into_iter()
-                .map(|(name, words, unit)| (name, words, unit.symbol().to_owned()))
-                .collect());
-        }
-        let model = self.planar("outputs")?;
-        let values = model.set_values(&[]).map_err(raise)?.values;
-        let mechanism = Mechanism::new(model, &values).map_err(|error| raise(error.diagnostic(model)))?;
-        let outputs = columns(&mechanism.model).into_iter();
-        Ok(outputs.map(|column| (column.name, column.words, column.unit.symbol().to_owned())).collect())
+    fn outputs(&self) -> Vec<(String, String, String)> {
+        let described = self.0.described_outputs().into_iter();
+        described.map(|(name, words, unit)| (name, words, unit.symbol().to_owned())).collect()
     }
 
     /// Path, SI unit and value of every number that can be set, in the order of the file.
@@ -152,7 +142,7 @@ impl Model {
 
     /// The value of the input `path` that `text` states with its unit, SI.
     fn value_of(&self, path: &str, text: &str) -> PyResult<f64> {
-        let setting = self.planar("evaluate()")?.parse_setting(&format!("{path}={text}"));
+        let setting = Setting::parse(&format!("{path}={text}"), self.0.quantities(), |path| self.0.find(path));
         Ok(setting.map_err(|error| raise(of_argument("inputs", error)))?.value_si)
     }
 

@@ -38,7 +38,10 @@ pub use file::{
 };
 pub use loosepin_text::tolerance::{FitError, number_and_unit, signed_parts, states_nominal};
 pub use model::outputs::OutputSource;
-pub use model::{Clearance, DeviationProofs, KindOfModel, MotionRequest, PLAY, ProvenDeviations, StudyModel};
+pub use model::{
+    Clearance, DeviationProofs, KindOfModel, MotionRequest, PLAY, PlayProofs, ProvenDeviations, StudyModel,
+    ValuesUnderSettings,
+};
 pub use places::Where;
 pub use planning::cost_estimate::{CostEstimate, PromiseCost};
 pub use planning::estimate_cost::estimate_cost;

@@ -45,6 +45,11 @@ impl Where {
         if let Self::Poses { angles_rad } = self { Some(angles_rad) } else { None }
     }
 
+    /// Its angles one by one, rad; a single `None` where it has none.
+    pub(crate) fn poses_rad(&self) -> Vec<Option<f64>> {
+        self.angles_rad().map_or_else(|| vec![None], |angles_rad| angles_rad.iter().copied().map(Some).collect())
+    }
+
     /// Which number of the curve it is, where it is one.
     pub fn reduction(&self) -> Option<Reduction> {
         if let Self::Reduced(reduction) = self { Some(*reduction) } else { None }

@@ -35,11 +35,10 @@ pub fn run(arguments: &MotionArguments) -> Ending {
 impl StoredResult for MotionRecord {
     const PAGE: fn(&Self) -> String = motion_page;
     const TEXT: fn(&Self) -> String = motion_text;
-    const SHORT: Option<FirstScreen<Self>> =
-        Some((short_motion_text, |record| match record.efforts.is_empty() && !record.picture.is_empty() {
-            true => "all rows of the tables",
-            false => "the efforts of the drives and all rows of the tables",
-        }));
+    const SHORT: Option<FirstScreen<Self>> = Some((short_motion_text, |record| match record.efforts.is_empty() {
+        true => "all rows of the tables",
+        false => "the efforts of the drives and all rows of the tables",
+    }));
 
     fn done(&self) -> Done {
         let is_met = self.requirements.iter().all(|requirement| requirement.verdict == MotionVerdict::Met);

@@ -8,8 +8,8 @@ use std::time::Duration;
 
 use super::command_line::{Desk, Said};
 
-/// A study whose samples grow over rounds, with shares of the variance and studies of the inverse question.
-const STUDY: &str = r#"
+/// A study whose samples grow over rounds.
+const INPUTS: &str = r#"
 name = "shared"
 model = "model.toml"
 seed = 11
@@ -31,36 +31,49 @@ budget = "4 rounds"
 
 [epistemic]
 "joint.gudgeon.radial_clearance" = { interval = ["0.1 mm", "0.5 mm"] }
+"#;
 
+/// Questions of a study with many runs: shares of the variance, and the inverse question of how far `input` may go.
+pub(super) fn questions(within: &str, input: &str, up_to: &str) -> String {
+    format!(
+        r#"
 [[ask]]
 output = "slider"
 of = "total"
-poses = { crank = ["30 deg"] }
+poses = {{ crank = ["30 deg"] }}
 statistics = ["mean", "contributors"]
 
 [[require]]
 output = "slider"
 of = "total"
-within = "0.45 mm"
+within = "{within}"
 over = "cycle"
 probability_at_least = 0.8
 
 [allow]
-"joint.gudgeon.radial_clearance" = { up_to = "0.3 mm" }
-"#;
+"{input}" = {{ up_to = "{up_to}" }}
+"#
+    )
+}
+
+fn study() -> String {
+    format!("{INPUTS}{}", questions("0.45 mm", "joint.gudgeon.radial_clearance", "0.3 mm"))
+}
 
 /// Files that do not depend on who has made the runs.
 const FILES: [&str; 4] = ["summary.json", "bounds.csv", "runs.parquet", "report.html"];
 
 /// Study with a surrogate in place of the inverse question.
 fn with_surrogate() -> String {
-    let (study, _) = STUDY.split_once("[allow]").expect("it asks how loose the pin may be");
-    study.replace("seed = 11", "seed = 11\nsurrogate = { kind = \"chaos\", training_runs = 40, confirming_runs = 8 }")
+    let study = study();
+    let (without_allow, _) = study.split_once("[allow]").expect("it asks how loose the pin may be");
+    without_allow
+        .replace("seed = 11", "seed = 11\nsurrogate = { kind = \"chaos\", training_runs = 40, confirming_runs = 8 }")
 }
 
 fn desk() -> Desk {
     let desk = Desk::with_model("slider_crank_worn_pin");
-    desk.write("study.toml", STUDY);
+    desk.write("study.toml", &study());
     desk
 }
 
@@ -148,7 +161,7 @@ fn identity_rows_of_a_specimen_are_drawn_alike_by_threads_and_shards() {
     let desk = desk();
     let rows: Vec<String> = (0..120).map(|k| format!("{:.4}", 49.94 + 0.001 * f64::from(k * 37 % 120))).collect();
     desk.write("mechanisms.csv", &format!("parameter.crank_length [mm]\n{}\n", rows.join("\n")));
-    desk.write("study.toml", &format!("{STUDY}\n[specimen]\nmechanisms = \"mechanisms.csv\"\n"));
+    desk.write("study.toml", &format!("{}\n[specimen]\nmechanisms = \"mechanisms.csv\"\n", study()));
     let whole = desk.run(&["study", "study.toml", "--out", "whole", "--threads", "1"]);
     assert!(whole.status < 2, "{}", whole.messages);
     let two = desk.run(&["study", "study.toml", "--out", "two", "--threads", "2"]);
@@ -287,7 +300,7 @@ fn shards_that_do_not_fit_are_refused_by_name() {
     );
     fs::rename(desk.path("kept.sqlite"), desk.path(&two).join("runs.sqlite")).expect("moved back");
     // A shard of another study, and of this one in another number.
-    desk.write("study.toml", &STUDY.replace("seed = 11", "seed = 12"));
+    desk.write("study.toml", &study().replace("seed = 11", "seed = 12"));
     assert_eq!(shard(&desk, "other", 3, 3).status, 0);
     let said = desk.run(&["merge", &one, &two, "other.shard-3-of-3"]);
     assert_eq!(said.status, 2);
@@ -323,7 +336,7 @@ fn a_forced_shard_begins_anew_whatever_was_published() {
     let open = merge(&desk, "bounds", 2);
     assert!(open.status == 3 && desk.path("bounds/merged.sqlite").exists(), "{}", open.messages);
     // Of the study before it was changed.
-    desk.write("study.toml", &STUDY.replace("seed = 11", "seed = 12"));
+    desk.write("study.toml", &study().replace("seed = 11", "seed = 12"));
     let refused = shard(&desk, "bounds", 1, 2);
     assert_eq!(refused.status, 2, "{}", refused.messages);
     let forced = desk.run(&["study", "study.toml", "--out", "bounds", "--shard", "1/2", "--force"]);

@@ -13,7 +13,7 @@ fn one_line(text: &str) -> String {
 /// The motion of a study with a clearance that is known roughly, with a requirement and what else is uncertain.
 fn judged(requirement: &str, further: &str) -> (Said, Value, String) {
     let desk = Desk::new();
-    desk.write("model.toml", SLIDER_CRANK);
+    desk.write("model.toml", &SLIDER_CRANK.replace("[body.rod]", "[body.rod]\nmass = \"0.3 kg\""));
     let study = format!(
         "name = \"judged\"\nmodel = \"model.toml\"\nseed = 1\n[sampling]\nouter = 4\ninner = 16\n{further}\n\
          [epistemic]\n\"joint.main.radial_clearance\" = {{ interval = [\"0.05 mm\", \"0.1 mm\"] }}\n\
@@ -89,9 +89,34 @@ fn parts_that_scatter_leave_a_limit_in_space_undecided() {
     assert!(output.contains(due), "{output}");
 }
 
-/// Samples that grow over rounds, the inverse question, shares of the variance.
+#[test]
+fn masses_that_scatter_leave_the_ends_of_play_proven() {
+    let mass = "[random]\n\"body.rod.mass\" = { normal = { standard_deviation = \"0.02 kg\" } }";
+    let (said, requirement, output) = judged("within = \"1.02 mm\"\nover = \"cycle\"", mass);
+    assert_eq!((said.status, requirement["verdict"].as_str()), (0, Some("met")), "{output}");
+    assert_eq!(requirement["share_within_limits"], 1.0);
+}
+
+#[test]
+fn a_path_of_a_study_in_space_is_recorded_and_drawn_with_the_mechanism() {
+    let desk = Desk::new();
+    desk.write("model.toml", SLIDER_CRANK);
+    desk.write(
+        "study.toml",
+        "name = \"path\"\nmodel = \"model.toml\"\nseed = 1\n[sampling]\nouter = 4\ninner = 16\n\
+         [epistemic]\n\"joint.main.radial_clearance\" = { interval = [\"0.05 mm\", \"0.1 mm\"] }\n\
+         [[ask]]\noutput = \"slider\"\nof = \"total\"\nposes = { crank = [\"0 deg\"] }\nstatistics = [\"mean\"]\n",
+    );
+    desk.succeed(&["study", "study.toml", "--path", "rod.slider", "--out", "out"]);
+    let record: Value = serde_json::from_str(&desk.read("out/summary.json")).expect("JSON");
+    assert_eq!(record["paths"]["paths"][0]["name"], "rod.slider");
+    assert_eq!(record["paths"]["paths"], record["motion"]["paths"]);
+    assert!(!desk.read("out/report.html").contains("The path and its tolerance zone"), "that figure is of the plane");
+}
+
+/// A study whose samples grow over rounds.
 #[cfg(unix)]
-const STUDY: &str = r#"
+const INPUTS: &str = r#"
 name = "shared in space"
 model = "model.toml"
 seed = 11
@@ -109,29 +134,14 @@ budget = "3 rounds"
 
 [epistemic]
 "joint.main.axial_clearance" = { interval = ["0.05 mm", "0.3 mm"] }
-
-[[ask]]
-output = "slider"
-of = "total"
-poses = { crank = ["30 deg"] }
-statistics = ["mean", "contributors"]
-
-[[require]]
-output = "slider"
-of = "total"
-within = "0.8 mm"
-over = "cycle"
-probability_at_least = 0.8
-
-[allow]
-"joint.main.axial_clearance" = { up_to = "0.3 mm" }
 "#;
 
 #[cfg(unix)]
 fn shared() -> Desk {
     let desk = Desk::new();
     desk.write("model.toml", SLIDER_CRANK);
-    desk.write("study.toml", STUDY);
+    let questions = super::shards::questions("0.8 mm", "joint.main.axial_clearance", "0.3 mm");
+    desk.write("study.toml", &format!("{INPUTS}{questions}"));
     desk
 }
 

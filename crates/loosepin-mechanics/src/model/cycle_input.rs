@@ -5,6 +5,7 @@ use crate::model::parts::cycle::CycleSpan;
 use crate::model::parts::topology::Model;
 use loosepin_math::Real;
 use loosepin_text::numbers::{QuantityId, Values};
+use std::f64::consts::TAU;
 
 /// The input of a mechanism over its cycle: an angle that grows evenly with time, start + speed · t.
 ///
@@ -30,7 +31,17 @@ impl CycleInput {
 
     /// Duration of a turn, s.
     pub fn turn_s(&self) -> f64 {
-        std::f64::consts::TAU / self.speed_rad_s.abs()
+        TAU / self.speed_rad_s.abs()
+    }
+
+    /// The place in the turn at which it has this angle, from 0 to 1.
+    pub fn turn_at(&self, angle_rad: f64) -> f64 {
+        (self.speed_rad_s.signum() * (angle_rad - self.start_rad) / TAU).rem_euclid(1.0)
+    }
+
+    /// The angle at a place in the turn, rad.
+    pub fn angle_at_turn_rad(&self, turn: f64) -> f64 {
+        self.start_rad + self.speed_rad_s.signum() * TAU * turn
     }
 }
 
@@ -47,8 +58,7 @@ impl Model {
             let (start_rad, speed_rad_s) = (values[start], values[speed]);
             return CycleInput { name: name.clone(), is_drive: true, start_rad, speed_rad_s };
         }
-        let speed_rad_s =
-            self.period_s(span, &|id| values[id]).map_or(0.0, |period_s| std::f64::consts::TAU / period_s);
+        let speed_rad_s = self.period_s(span, &|id| values[id]).map_or(0.0, |period_s| TAU / period_s);
         CycleInput { name: PHASE.to_owned(), is_drive: false, start_rad: 0.0, speed_rad_s }
     }
 

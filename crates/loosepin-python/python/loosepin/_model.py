@@ -115,7 +115,7 @@ class Model(NoArray):
 
     @cached_property
     def outputs(self) -> tuple[Output, ...]:
-        """Its outputs in file order; a path is two of them."""
+        """Its outputs in file order; a path in the plane is two of them, a path in space is one."""
         return tuple(Output(*output) for output in self._native.outputs())
 
     @cached_property

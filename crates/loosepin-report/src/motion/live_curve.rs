@@ -63,6 +63,8 @@ pub struct LiveCurve {
     pub figure: String,
     /// Unit of the values, as it is shown.
     pub unit: String,
+    /// Angle of the drive at each value, degrees; where the time is the input the time, s.
+    pub at: Vec<f64>,
     /// The lines of the chart, in their order.
     pub lines: Vec<CurveLine>,
 }
@@ -74,7 +76,7 @@ pub struct CurveLine {
     pub words: String,
     /// Class of its colour.
     pub role: &'static str,
-    /// Its values in the unit of the chart, to six digits; one for each pose of the drawing, `None` if it is not finite.
+    /// Its values in the unit of the chart, to six digits, `None` if it is not finite.
     pub values: Vec<Option<f64>>,
 }
 
@@ -150,5 +152,10 @@ pub fn live_curve(record: &MotionRecord, wanted: &CurveKey) -> Option<LiveCurve>
             values: values.iter().step_by(step).copied().collect(),
         })
     });
-    Some(LiveCurve { key, unit: chart.y_symbol.clone(), lines: lines.collect(), figure: chart.document() })
+    let all = match &record.time_s[..] {
+        [] => record.drive_angle_rad.iter().map(|angle_rad| angle_rad.to_degrees()).collect(),
+        times_s => times_s.to_vec(),
+    };
+    let at = all.into_iter().step_by(step).collect();
+    Some(LiveCurve { key, unit: chart.y_symbol.clone(), at, lines: lines.collect(), figure: chart.document() })
 }

@@ -17,7 +17,7 @@ pub struct SpatialModel {
     pub name: String,
     /// Every number of it.
     pub quantities: QuantityTable,
-    /// Acceleration of gravity, m/s²; nothing that is computed uses it yet.
+    /// Acceleration of gravity, m/s².
     pub gravity_m_s2: Option<[QuantityId; 3]>,
     /// The bodies, the ground first.
     pub bodies: Vec<ModelBody>,
@@ -37,12 +37,23 @@ pub struct SpatialModel {
     pub(super) places: HashMap<String, Span>,
 }
 
+impl SpatialModel {
+    /// The quantities that nothing which is computed uses yet: gravity, and masses with where they are.
+    pub fn unused_quantities(&self) -> impl Iterator<Item = QuantityId> {
+        let of_body = |body: &ModelBody| {
+            let centre = body.centre_of_mass_m.into_iter().flatten();
+            body.mass_kg.into_iter().chain(centre).chain(body.inertia_kg_m2.clone())
+        };
+        self.gravity_m_s2.into_iter().flatten().chain(self.bodies.iter().flat_map(of_body))
+    }
+}
+
 /// A body with its named points and axes.
 #[derive(Debug, Clone)]
 pub struct ModelBody {
     /// Its name.
     pub name: String,
-    /// Its mass, kg; nothing that is computed uses it yet, nor the next two.
+    /// Its mass, kg.
     pub mass_kg: Option<QuantityId>,
     /// Its centre of mass, m.
     pub centre_of_mass_m: Option<[QuantityId; 3]>,

@@ -886,6 +886,8 @@ export interface LiveCurve {
   figure: string;
   /** Unit of the values, as it is shown. */
   unit: string;
+  /** Angle of the drive at each value, degrees; where the time is the input the time, s. */
+  at: (number | null)[];
   /** The lines of the chart, in their order. */
   lines: CurveLine[];
 }
@@ -896,7 +898,7 @@ export interface CurveLine {
   words: string;
   /** Class of its colour. */
   role: string;
-  /** Its values in the unit of the chart, to six digits; one for each pose of the drawing, `None` if it is not finite. */
+  /** Its values in the unit of the chart, to six digits, `None` if it is not finite. */
   values: (number | null)[];
 }
 

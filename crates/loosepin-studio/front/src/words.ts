@@ -240,11 +240,12 @@ export const words = {
     } satisfies Record<CurveQuantity, string>,
     named: (quantity: CurveQuantity, of: string): string => `${words.curves.quantities[quantity]} of ${of}`,
     chart: (name: string): string => `${name}. Arrow keys turn the drive.`,
-    at: (angle: number): string => `at ${Number.isInteger(angle) ? words.degrees(angle) : (((angle % 360) + 360) % 360).toFixed(1) + '°'}`,
+    at: (input: number, isAngle: boolean): string =>
+      `at ${Number.isInteger(input) || !isAngle ? words.input(input, isAngle) : (((input % 360) + 360) % 360).toFixed(1) + '°'}`,
     value: (value: string, unit: string): string => (unit === '' ? value : unit === '°' ? value + unit : `${value} ${unit}`),
     none: 'no finite value',
-    spoken: (angle: number, readings: { words: string; text: string }[]): string =>
-      `${words.curves.at(angle)}: ${readings.map((one) => (readings.length > 1 ? one.words + ' ' : '') + one.text).join(', ')}`,
+    spoken: (at: string, readings: { words: string; text: string }[]): string =>
+      `${at}: ${readings.map((one) => (readings.length > 1 ? one.words + ' ' : '') + one.text).join(', ')}`,
   },
 
   trace: {

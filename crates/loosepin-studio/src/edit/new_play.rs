@@ -61,11 +61,8 @@ fn remark(text: &EditedText, table: &[&str]) -> Result<&'static str, Refusal> {
 
 /// The first radius of a bearing that is stated as a number, as it is written.
 fn radius(model: &StudyModel) -> String {
-    let radius = model.quantities().iter().find(|(_, quantity)| {
-        quantity.path.starts_with("joint.")
-            && quantity.path.ends_with(".bearing_radius")
-            && quantity.origin == Origin::Literal
-    });
+    let is_radius = |path: &str| path.starts_with("joint.") && path.rsplit('.').next() == Some(RADIUS);
+    let radius = model.quantities().iter().find(|(_, own)| is_radius(&own.path) && own.origin == Origin::Literal);
     radius.and_then(|(_, quantity)| Some(written(model, quantity.span?))).unwrap_or_else(|| FIRST_RADIUS.to_owned())
 }
 

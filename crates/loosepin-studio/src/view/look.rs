@@ -83,8 +83,8 @@ fn seen_after(
                 reshaped.angle_deg = nearest(drag, &record.drawing).map(|found| found.angle_deg);
             }
             let outline = model.outline(Moved::of(&record), outputs(&record));
-            let mechanism = (outline, quantities(file.model().quantities(), &texts));
-            let view = view(&file, &record, mechanism, look.curve.as_ref(), &texts);
+            let quantities = quantities(file.model().quantities(), &texts);
+            let view = view(&file, &record, outline, quantities, look.curve.as_ref(), &texts);
             drawing = Some(record.drawing).filter(|_| model.takes_drags());
             return Some(view);
         }
@@ -122,7 +122,8 @@ pub fn cut(look: &Look, limit: Duration) -> LookAnswer {
 fn view(
     file: &InputFile,
     record: &MotionRecord,
-    (outline, quantities): (Outline, Vec<QuantityView>),
+    outline: Outline,
+    quantities: Vec<QuantityView>,
     curve: Option<&CurveKey>,
     texts: &Texts,
 ) -> View {

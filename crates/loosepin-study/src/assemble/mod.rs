@@ -37,6 +37,7 @@ use loosepin_text::units::DisplayUnits;
 /// The result as far as bounds and pictures go; questions write the rest.
 pub(super) fn assemble(found: &Found, material: &Material<'_>, input_hash: &str, pictures: Pictures) -> StudyResult {
     let study = material.study;
+    let motion = motion::motion(study);
     StudyResult {
         format: FORMAT,
         name: study.name.clone(),
@@ -76,8 +77,8 @@ pub(super) fn assemble(found: &Found, material: &Material<'_>, input_hash: &str,
         boxes: boxes::boxes(material),
         nominal_trust: pictures.nominal_trust,
         orbits: pictures.orbits,
-        paths: paths::paths(study),
-        motion: motion::motion(study),
+        paths: paths::paths(study, motion.as_ref()),
+        motion,
         drawing: pictures.drawing,
     }
 }

@@ -7,5 +7,5 @@ use loosepin_result::motion::MotionRecord;
 /// finished study is lost for it.
 pub fn motion(study: &Study) -> Option<MotionRecord> {
     let settings: Vec<String> = study.widest_play().into_iter().map(|(_, setting)| setting).collect();
-    study.model.motion_of_page(&settings)
+    study.model.motion_of_page(&settings, study.paths())
 }

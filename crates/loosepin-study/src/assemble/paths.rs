@@ -2,19 +2,26 @@
 
 use crate::file::Study;
 use crate::written::input_file::InputFile;
+use loosepin_result::motion::MotionRecord;
 use loosepin_result::point_path::CyclePaths;
 use loosepin_text::diagnostics::Diagnostics;
 
 /// Positions in a turn.
 const POSITIONS: usize = 180;
 
-/// The paths; `None` if there are none, or the drives alone do not move the mechanism: no finished study is lost for it.
-pub fn paths(study: &Study) -> Option<CyclePaths> {
+/// The paths, of `motion` where the page shows one; `None` if there are none, or the drives alone do not move the mechanism: no finished study
+/// is lost for it.
+pub fn paths(study: &Study, motion: Option<&MotionRecord>) -> Option<CyclePaths> {
     if study.paths().is_empty() && !study.model.has_paths_with_zones() {
         return None;
     }
-    let record = InputFile::Study(Box::new(study.clone())).ideal_motion_with_paths(POSITIONS, study.paths()).ok()?;
-    Some(CyclePaths { drive: record.drive, drive_angle_rad: record.drive_angle_rad, paths: record.paths })
+    let of = |record: &MotionRecord| CyclePaths {
+        drive: record.drive.clone(),
+        drive_angle_rad: record.drive_angle_rad.clone(),
+        paths: record.paths.clone(),
+    };
+    let file = || InputFile::Study(Box::new(study.clone()));
+    motion.map(of).or_else(|| file().ideal_motion_with_paths(POSITIONS, study.paths()).ok().as_ref().map(of))
 }
 
 impl Study {

@@ -61,6 +61,7 @@ pub(super) use words::{dimension_of_statistic, statistic_name};
 use crate::model::StudyModel;
 use crate::question::read_questions;
 use loosepin_bounds::{PERCENTILES, PromiseSettings};
+use loosepin_mechanics::model::Setting;
 use loosepin_simulate::accuracy::ScatterCorrelation;
 use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Place, Source};
 use loosepin_text::document::{Entry, Reader, json_schema, parse_toml, read_source};
@@ -103,9 +104,7 @@ impl Study {
     /// As for [`Study::from_path`]; settings that the model does not take; a setting of an unknown (epistemic) input.
     pub fn from_path_with_settings(path: &Path, set: &[String]) -> Result<Study, Diagnostics> {
         let mut study = Study::from_source(&read_source(path)?, path, set)?;
-        let is_set = |input: &&EpistemicInput| {
-            set.iter().any(|text| text.split_once('=').is_some_and(|(path, _)| path.trim() == input.path))
-        };
+        let is_set = |input: &&EpistemicInput| set.iter().any(|text| Setting::is_of(text, &input.path));
         if let Some(input) = study.epistemic.iter().find(is_set) {
             return Err(Diagnostics::one(&StudyProblem::SetsUnknown { path: input.path.clone() }, None));
         }

@@ -30,6 +30,15 @@ pub struct Clearance {
     pub quantity: QuantityId,
 }
 
+/// The values of a model under settings.
+#[derive(Debug, Clone)]
+pub struct ValuesUnderSettings {
+    /// All of them.
+    pub values: Values,
+    /// Warnings of those that the settings make hardly possible.
+    pub warnings: Vec<Diagnostic>,
+}
+
 /// A kind of model.
 pub trait KindOfModel: Debug + Send + Sync {
     /// Its name.
@@ -58,10 +67,8 @@ pub trait KindOfModel: Debug + Send + Sync {
     /// All that can be asked of it, in file order; of a path each of its parts.
     fn outputs(&self) -> Vec<StudyOutput>;
 
-    /// Name, words and unit of each output of a model that has no runs; `None` where runs say what they are.
-    fn outputs_without_runs(&self) -> Option<Vec<(String, String, SiUnit)>> {
-        None
-    }
+    /// Name, words and unit of each output, in file order; a path in the plane is two of them.
+    fn described_outputs(&self) -> Vec<(String, String, SiUnit)>;
 
     /// How numbers are shown to people.
     fn shown_in(&self, usual: DisplayUnits) -> DisplayUnits {
@@ -97,10 +104,10 @@ pub trait KindOfModel: Debug + Send + Sync {
     ///
     /// # Errors
     /// Every setting that cannot be read, a quantity that is set twice, and values that break a rule together.
-    fn take_settings(&mut self, texts: &[String]) -> Result<Values, Diagnostics>;
+    fn take_settings(&mut self, texts: &[String]) -> Result<ValuesUnderSettings, Diagnostics>;
 
-    /// Takes `values` in place of those of the file, with warnings about them.
-    fn take_values(&mut self, values: Values, warnings: Vec<Diagnostic>);
+    /// Takes values in place of those of the file, with the warnings about them.
+    fn take_values(&mut self, under: ValuesUnderSettings);
 
     /// Warnings of values that settings `path=value` make hardly possible; none where they cannot be read, which is refused elsewhere.
     fn warnings_of_settings(&self, texts: &[String]) -> Vec<Diagnostic>;
@@ -252,8 +259,9 @@ pub trait KindOfModel: Debug + Send + Sync {
         false
     }
 
-    /// The motion under settings `path=value` as the page of a study shows it, where the study has no run to draw. `None` if it has no answer.
-    fn motion_of_page(&self, _settings: &[String]) -> Option<MotionRecord> {
+    /// The motion under settings `path=value`, with the paths of the points called `paths`, as the page of a study shows it, where the study has
+    /// no run to draw. `None` if it has no answer.
+    fn motion_of_page(&self, _settings: &[String], _paths: &[String]) -> Option<MotionRecord> {
         None
     }
 
@@ -296,6 +304,9 @@ pub trait PlayProofs {
         question: &PlayQuestion,
         is_stopped: IsStopped<'_>,
     ) -> Result<PlayEnds, Diagnostics>;
+
+    /// Whether outputs may depend on this quantity otherwise than through clearances.
+    fn moves(&self, id: QuantityId) -> bool;
 }
 
 /// A model of which it can be proven how far its outputs go without dynamics.

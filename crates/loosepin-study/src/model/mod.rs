@@ -2,7 +2,7 @@
 //! own; nobody else asks which of the two it is.
 
 mod kind;
-pub use kind::{Clearance, DeviationProofs, KindOfModel, PLAY, PlayProofs, ProvenDeviations};
+pub use kind::{Clearance, DeviationProofs, KindOfModel, PLAY, PlayProofs, ProvenDeviations, ValuesUnderSettings};
 mod motion_request;
 pub use motion_request::MotionRequest;
 pub(crate) mod outputs;
@@ -91,9 +91,8 @@ impl StudyModel {
     /// # Errors
     /// Every setting that cannot be read, a quantity that is set twice, and values that break a rule together.
     pub fn with_settings(mut self, texts: &[String]) -> Result<Self, Diagnostics> {
-        let warnings = self.warnings_of_settings(texts);
-        let values = self.take_settings(texts)?;
-        self.take_values(values, warnings);
+        let under = self.take_settings(texts)?;
+        self.take_values(under);
         Ok(self)
     }
 

@@ -1,13 +1,12 @@
 //! What a model in the plane says of itself.
 
-use super::kind::{Clearance, DeviationProofs, KindOfModel, ProvenDeviations};
+use super::kind::{Clearance, DeviationProofs, KindOfModel, ProvenDeviations, ValuesUnderSettings};
 use super::motion_request::MotionRequest;
 use super::outputs::StudyOutput;
 use super::planar_outputs::planar_outputs;
 use loosepin_mechanics::mechanism::{Mechanism, MechanismError};
 use loosepin_mechanics::model::{
     BodyId, ContactId, Cycle, CycleInput, CycleSpan, LawError, Model, NormalDescription, PathError, PlayId, PointId,
-    SetValues,
 };
 use loosepin_result::motion::MotionRecord;
 use loosepin_result::simulation::Drawing;
@@ -16,10 +15,10 @@ use loosepin_simulate::accuracy::{
     dimension_direction, motion_until, motion_with_worst_cases_until,
 };
 use loosepin_simulate::record::Override;
-use loosepin_simulate::{RunFailure, SmallestClearance, controlled_drawing};
+use loosepin_simulate::{RunFailure, SmallestClearance, columns, controlled_drawing};
 use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Place, Source};
 use loosepin_text::numbers::{QuantityId, QuantityTable, Values};
-use loosepin_text::units::DisplayUnits;
+use loosepin_text::units::{DisplayUnits, SiUnit};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
@@ -56,6 +55,10 @@ impl KindOfModel for Model {
         planar_outputs(self)
     }
 
+    fn described_outputs(&self) -> Vec<(String, String, SiUnit)> {
+        columns(self).into_iter().map(|column| (column.name, column.words, column.unit)).collect()
+    }
+
     fn shown_in(&self, usual: DisplayUnits) -> DisplayUnits {
         Model::shown_in(self, usual)
     }
@@ -76,13 +79,14 @@ impl KindOfModel for Model {
         Model::input(self, span, values)
     }
 
-    fn take_settings(&mut self, texts: &[String]) -> Result<Values, Diagnostics> {
-        let SetValues { model, values, .. } = self.set_values(texts)?;
-        *self = model;
-        Ok(values)
+    fn take_settings(&mut self, texts: &[String]) -> Result<ValuesUnderSettings, Diagnostics> {
+        let set = self.set_values(texts)?;
+        let warnings = set.warnings();
+        *self = set.model;
+        Ok(ValuesUnderSettings { values: set.values, warnings })
     }
 
-    fn take_values(&mut self, values: Values, warnings: Vec<Diagnostic>) {
+    fn take_values(&mut self, ValuesUnderSettings { values, warnings }: ValuesUnderSettings) {
         self.quantities.set_nominal(values);
         self.warnings.extend(warnings);
     }

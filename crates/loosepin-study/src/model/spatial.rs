@@ -1,18 +1,17 @@
 //! What a model in space says of itself: its positions are closed, without dynamics.
 
-use super::kind::{Clearance, KindOfModel, PlayProofs};
+use super::kind::{Clearance, KindOfModel, PlayProofs, ValuesUnderSettings};
 use super::motion_request::MotionRequest;
 use super::outputs::StudyOutput;
 use super::spatial_motion::{moved, play_with_scatter};
 use super::spatial_outputs::spatial_outputs;
-use super::spatial_settings::{settings, values_under};
+use super::spatial_settings::SpatialSettings;
 use super::{spatial_paths, spatial_turn};
 use loosepin_mechanics::model::{Cycle, CycleInput, CycleSpan, PathError};
 use loosepin_result::motion::MotionRecord;
 use loosepin_space::{IsStopped, PlayDistribution, PlayEnds, PlayQuestion, SpatialModel, stop_after};
 use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Place, Source};
 use loosepin_text::numbers::{QuantityId, QuantityTable, Values};
-use loosepin_text::plausible::JudgedModel;
 use loosepin_text::units::SiUnit;
 use std::sync::Arc;
 
@@ -48,6 +47,14 @@ impl KindOfModel for SpatialModel {
         spatial_outputs(self)
     }
 
+    fn described_outputs(&self) -> Vec<(String, String, SiUnit)> {
+        let described = self.outputs.iter().map(|output| {
+            let words = format!("{} of {}", output.kind.word(), self.name_of(output.kind));
+            (output.name.clone(), words, SiUnit::of_dimension(output.kind.dimension()))
+        });
+        described.collect()
+    }
+
     fn find(&self, path: &str) -> Result<QuantityId, PathError> {
         spatial_paths::find(self, path)
     }
@@ -64,21 +71,18 @@ impl KindOfModel for SpatialModel {
         spatial_turn::input(self, span, values)
     }
 
-    fn take_settings(&mut self, texts: &[String]) -> Result<Values, Diagnostics> {
-        values_under(self, texts)
+    fn take_settings(&mut self, texts: &[String]) -> Result<ValuesUnderSettings, Diagnostics> {
+        let set = SpatialSettings::read(self, texts)?;
+        Ok(ValuesUnderSettings { warnings: set.warnings(self, texts), values: set.values })
     }
 
-    fn take_values(&mut self, values: Values, warnings: Vec<Diagnostic>) {
+    fn take_values(&mut self, ValuesUnderSettings { values, warnings }: ValuesUnderSettings) {
         self.quantities.set_nominal(values);
         self.warnings.extend(warnings);
     }
 
     fn warnings_of_settings(&self, texts: &[String]) -> Vec<Diagnostic> {
-        let set = settings(self, texts).and_then(|set| Ok((set, values_under(self, texts)?)));
-        let Ok((set, values)) = set else { return Vec::new() };
-        let settings: Vec<(QuantityId, &str)> =
-            set.iter().map(|(id, _)| *id).zip(texts.iter().map(String::as_str)).collect();
-        self.implausible_settings(&settings, &values)
+        SpatialSettings::read(self, texts).map_or(Vec::new(), |set| set.warnings(self, texts))
     }
 
     fn play_names(&self) -> Vec<String> {
@@ -107,14 +111,15 @@ impl KindOfModel for SpatialModel {
         play_with_scatter(self, request)
     }
 
-    fn drawn_motion(&self, _request: &MotionRequest<'_>) -> Result<MotionRecord, Diagnostics> {
-        self.drawn_motion_until(&self.quantities.nominal(), &|| false)
+    fn drawn_motion(&self, request: &MotionRequest<'_>) -> Result<MotionRecord, Diagnostics> {
+        self.drawn_motion_until(&self.quantities.nominal(), &|| request.is_stopped())
     }
 
-    fn try_to_move(&self, _request: &MotionRequest<'_>) -> Result<(), Diagnostics> {
+    fn try_to_move(&self, request: &MotionRequest<'_>) -> Result<(), Diagnostics> {
         let values = self.quantities.nominal();
         let mechanism = self.mechanism(&values).map_err(|error| self.diagnostic(&error))?;
-        let is_enough = stop_after(MAX_STEPS, &|| false);
+        let is_stopped = || request.is_stopped();
+        let is_enough = stop_after(MAX_STEPS, &is_stopped);
         self.first_positions(&mechanism, &values, &is_enough).map(|_| ())
     }
 
@@ -123,21 +128,14 @@ impl KindOfModel for SpatialModel {
         joints.map(|(joint, count)| (joint.to_owned(), count)).collect()
     }
 
-    fn outputs_without_runs(&self) -> Option<Vec<(String, String, SiUnit)>> {
-        let described = self.outputs.iter().map(|output| {
-            let words = format!("{} of {}", output.kind.word(), self.name_of(output.kind));
-            (output.name.clone(), words, SiUnit::of_dimension(output.kind.dimension()))
-        });
-        Some(described.collect())
-    }
-
     fn play_proofs(&self) -> Option<&dyn PlayProofs> {
         Some(self)
     }
 
-    fn motion_of_page(&self, settings: &[String]) -> Option<MotionRecord> {
-        let values = values_under(self, settings).ok()?;
-        self.motion_record(&values).ok()
+    fn motion_of_page(&self, settings: &[String], paths: &[String]) -> Option<MotionRecord> {
+        let SpatialSettings { values, .. } = SpatialSettings::read(self, settings).ok()?;
+        let points = self.points_of_paths(paths).ok()?;
+        self.motion_with_paths_until(&values, &points, false, &|| false).ok()
     }
 }
 
@@ -149,6 +147,13 @@ impl PlayProofs for SpatialModel {
         is_stopped: IsStopped<'_>,
     ) -> Result<PlayEnds, Diagnostics> {
         self.play_ends_until(values, question, is_stopped)
+    }
+
+    fn moves(&self, id: QuantityId) -> bool {
+        let aside: Vec<QuantityId> =
+            clearances(self).map(|clearance| clearance.quantity).chain(self.unused_quantities()).collect();
+        let counts = |own: QuantityId, path: &str| !path.starts_with("parameter.") && !aside.contains(&own);
+        self.quantities.iter().any(|(own, known)| counts(own, &known.path) && self.quantities.depends_on(own, id))
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::kind::KindOfModel;
 use super::motion_request::MotionRequest;
-use super::spatial_settings::{settings, values_under};
+use super::spatial_settings::SpatialSettings;
 use loosepin_result::motion::{
     ClearanceAnswer, DimensionContributor, JointContributor, MotionRecord, NamedEffect, PoseEffect,
 };
@@ -10,17 +10,17 @@ use loosepin_result::simulation::Override;
 use loosepin_simulate::accuracy::AskedPose;
 use loosepin_space::{SpatialModel, SpatialScatter, SpatialScatterPlan};
 use loosepin_text::diagnostics::Diagnostics;
-use loosepin_text::numbers::QuantityId;
-use std::f64::consts::TAU;
+use loosepin_text::numbers::{QuantityId, Values};
 
 /// The motion over the turn of `model`, with the worst cases of its play and what scatters. Ends of worst cases are proven where that is asked,
 /// and can be.
 ///
 /// # Errors
-/// Those of [`play`] and of [`add_scatter`].
+/// A setting that the model does not take; those of [`play`] and of [`add_scatter`].
 pub(super) fn moved(model: &SpatialModel, request: &MotionRequest<'_>) -> Result<MotionRecord, Diagnostics> {
-    let mut record = play(model, request)?;
-    add_scatter(model, request, &mut record)?;
+    let settings = SpatialSettings::read(model, &request.settings)?;
+    let mut record = play(model, request, &settings)?;
+    add_scatter(model, request, settings, &mut record)?;
     Ok(record)
 }
 
@@ -29,9 +29,11 @@ pub(super) fn play_with_scatter(
     model: &SpatialModel,
     request: &MotionRequest<'_>,
 ) -> (Option<MotionRecord>, Diagnostics) {
-    match play(model, request) {
-        Ok(mut record) => {
-            let found = add_scatter(model, request, &mut record).err().unwrap_or_default();
+    let moved = SpatialSettings::read(model, &request.settings)
+        .and_then(|settings| Ok((play(model, request, &settings)?, settings)));
+    match moved {
+        Ok((mut record, settings)) => {
+            let found = add_scatter(model, request, settings, &mut record).err().unwrap_or_default();
             (Some(record), found)
         }
         Err(found) => (None, found),
@@ -41,23 +43,26 @@ pub(super) fn play_with_scatter(
 /// The motion without what scatters.
 ///
 /// # Errors
-/// A setting that the model does not take; a path of a point that it does not have; loops that do not close; positions in which an output has
-/// no answer; that it was stopped.
-fn play(model: &SpatialModel, request: &MotionRequest<'_>) -> Result<MotionRecord, Diagnostics> {
-    let values = values_under(model, &request.settings)?;
+/// A path of a point that the model does not have; loops that do not close; positions in which an output has no answer; that it was stopped.
+fn play(
+    model: &SpatialModel,
+    request: &MotionRequest<'_>,
+    settings: &SpatialSettings,
+) -> Result<MotionRecord, Diagnostics> {
     let points = model.points_of_paths(request.paths)?;
     let is_stopped = || request.is_stopped();
-    let record = model.motion_with_paths_until(&values, &points, request.has_worst_cases, &is_stopped)?;
+    let record = model.motion_with_paths_until(&settings.values, &points, request.has_worst_cases, &is_stopped)?;
     Ok(MotionRecord { overrides: Override::from_settings(&request.settings), ..record })
 }
 
 /// Adds what scatters to a record of [`play`].
 ///
 /// # Errors
-/// A setting that the model does not take; values near those of the model with which the loops do not close; that it was stopped.
+/// Values near those of the model with which the loops do not close; that it was stopped.
 fn add_scatter(
     model: &SpatialModel,
     request: &MotionRequest<'_>,
+    SpatialSettings { set, values }: SpatialSettings,
     record: &mut MotionRecord,
 ) -> Result<(), Diagnostics> {
     let random = &request.scatter;
@@ -65,7 +70,7 @@ fn add_scatter(
     let correlations = request.correlations.iter();
     let correlations = correlations.filter_map(|own| Some((place(own.first)?, place(own.second)?, own.linear)));
     let plan = SpatialScatterPlan {
-        set: settings(model, &request.settings)?,
+        set,
         correlations: correlations.collect(),
         quantities: random.iter().map(|own| (own.quantity, own.standard_deviation_si)).collect(),
     };
@@ -74,7 +79,7 @@ fn add_scatter(
         output.dimensional_standard_deviation_si = scatter.standard_deviation_si;
         output.dimensional_contributors = scatter.contributors;
     }
-    record.asked = asked(model, request, &plan, record)?;
+    record.asked = asked(model, request, &plan, &values, record)?;
     Ok(())
 }
 
@@ -83,22 +88,23 @@ fn asked(
     model: &SpatialModel,
     request: &MotionRequest<'_>,
     plan: &SpatialScatterPlan,
+    values: &Values,
     record: &MotionRecord,
 ) -> Result<Vec<PoseEffect>, Diagnostics> {
-    if request.asked.is_empty() {
-        return Ok(Vec::new());
-    }
-    let values = model.quantities.evaluate(&plan.set).map_err(|error| Diagnostics::one(&error, None))?;
-    let input = model.input(request.asked_span, &values);
-    let turn = |pose_rad: f64| (input.speed_rad_s.signum() * (pose_rad - input.start_rad) / TAU).rem_euclid(1.0);
+    let input = model.input(request.asked_span, values);
     let is_stopped = || request.is_stopped();
+    // Each answer is of all outputs.
+    let mut answered: Vec<(f64, Vec<ClearanceAnswer>, Vec<SpatialScatter>)> = Vec::new();
     let mut found = Vec::new();
     for asked in &request.asked {
         let Some(number) = record.outputs.iter().position(|own| own.name == asked.output) else { continue };
-        let turn = turn(asked.pose_rad);
-        let play = model.play_at(&values, turn, &is_stopped)?;
-        let scatter = model.scatter_at(plan, &[turn], &is_stopped)?;
-        found.push(pose_effect(asked.clone(), &play[number], &scatter[number]));
+        let turn = input.turn_at(asked.pose_rad);
+        if answered.iter().all(|(known, ..)| *known != turn) {
+            let play = model.play_at(values, turn, &is_stopped)?;
+            answered.push((turn, play, model.scatter_at(plan, &[turn], &is_stopped)?));
+        }
+        let answer = answered.iter().find(|(known, ..)| *known == turn);
+        found.extend(answer.map(|(_, play, scatter)| pose_effect(asked.clone(), &play[number], &scatter[number])));
     }
     Ok(found)
 }

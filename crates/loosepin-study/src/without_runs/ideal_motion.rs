@@ -1,9 +1,11 @@
 //! The ideal motion of a file, with what its play and its scatter do to it without dynamics.
 
 use crate::model::MotionRequest;
-use crate::without_runs::judge::{Judgement, judge};
+use crate::without_runs::judge::judge;
 use crate::without_runs::judge_by_play::judge_by_play;
+use crate::without_runs::judged::Judgement;
 use crate::written::input_file::InputFile;
+use loosepin_mechanics::model::Setting;
 use loosepin_result::motion::MotionRecord;
 use loosepin_result::simulation::Drawing;
 use loosepin_simulate::accuracy::{AskedPose, Scatter, ScatterCorrelation};
@@ -84,10 +86,7 @@ impl InputFile {
         let mut record = self.model().motion(&request)?;
         if let InputFile::Study(study) = self {
             let Judgement { requirements, allowances } = match study.model.play_proofs() {
-                Some(proofs) => {
-                    let settings = (set, request.settings.as_slice());
-                    judge_by_play(study, proofs, settings, &|| stop.load(Ordering::Relaxed))?
-                }
+                Some(proofs) => judge_by_play(study, proofs, set, &|| stop.load(Ordering::Relaxed))?,
                 None => judge(study, positions, set, stop)?,
             };
             (record.requirements, record.allowances) = (requirements, allowances);
@@ -128,8 +127,7 @@ impl InputFile {
     /// Settings of the most play, if play is uncertain in a study: the worst case is taken there; `set` has priority.
     pub fn with_widest_play(&self, set: &[String]) -> Vec<String> {
         let InputFile::Study(study) = self else { return set.to_vec() };
-        let is_set =
-            |path: &str| set.iter().any(|text| text.split_once('=').is_some_and(|(own, _)| own.trim() == path));
+        let is_set = |path: &str| set.iter().any(|text| Setting::is_of(text, path));
         let widest = study.widest_play().into_iter().filter(|(path, _)| !is_set(path)).map(|(_, setting)| setting);
         widest.chain(set.iter().cloned()).collect()
     }

@@ -4,11 +4,13 @@
 //! in its interval. What the proven ends of a deviation keep is kept by every mechanism within these limits, and at least
 //! 1 - Σ (1 - p_i) of all mechanisms are within them, p_i being the probability of one input, however the inputs go together.
 
-use crate::file::{Allowance, AllowedInput, Requirement, Study};
+use super::judged::{Judgement, KnownEnds, NOTHING_PROVEN, judged, limits_unless_set};
+use super::widest_play::with_most_play;
+use crate::file::{Allowance, AllowedInput, Study};
 use crate::model::outputs::OutputSource;
 use crate::model::{DeviationProofs, ProvenDeviations, StudyModel};
 use crate::response::input_limits::{DEVIATIONS, InputLimits};
-use loosepin_mechanics::model::{Position, QuantityId, Values};
+use loosepin_mechanics::model::{Position, Values};
 use loosepin_result::motion::{MotionAllowance, MotionRequirement, MotionVerdict};
 use loosepin_result::study::{Deviation, PathError};
 use loosepin_simulate::accuracy::{AccuracyError, AllDeviationEnds, DeviationEnds, DeviationQuestion, DimensionLimit};
@@ -18,13 +20,6 @@ use std::sync::atomic::AtomicBool;
 
 /// Halvings of the range of what may be loosened, as in a study.
 const HALVINGS: usize = 7;
-
-/// Judgement of a requirement.
-#[derive(Default)]
-pub(crate) struct Judgement {
-    pub requirements: Vec<MotionRequirement>,
-    pub allowances: Vec<MotionAllowance>,
-}
 
 /// Judges what `study` requires over its turn in `positions` steps, until `stop` is set; inputs that `set` names have that value. Where the
 /// model has no proofs, nothing is judged.
@@ -37,23 +32,17 @@ pub(crate) fn judge(
     set: &[String],
     stop: &AtomicBool,
 ) -> Result<Judgement, Diagnostics> {
-    let Some(own) = study.model.deviation_proofs().filter(|_| !study.requirements.is_empty()) else {
+    if study.requirements.is_empty() {
         return Ok(Judgement::default());
-    };
+    }
     let mut model = study.model.clone();
-    let values = &model.take_settings(set)?;
+    let values = &model.take_settings(set)?.values;
     let Some(proofs) = model.deviation_proofs() else { return Ok(Judgement::default()) };
     let limits = limits_unless_set(study, set);
     let judge = Judge { study, model: &model, proofs, values, positions, stop };
-    let requirements = judge.requirements(&limits).map_err(|error| own.diagnostic(&error))?;
-    let allowances = judge.allowances(&limits).map_err(|error| own.diagnostic(&error))?;
+    let requirements = judge.requirements(&limits).map_err(|error| proofs.diagnostic(&error))?;
+    let allowances = judge.allowances(&limits).map_err(|error| proofs.diagnostic(&error))?;
     Ok(Judgement { requirements, allowances })
-}
-
-/// The limits of all inputs but those that `set` gives a value.
-pub(super) fn limits_unless_set(study: &Study, set: &[String]) -> Vec<InputLimits> {
-    let is_set = |path: &str| set.iter().any(|text| text.split_once('=').is_some_and(|(own, _)| own.trim() == path));
-    study.input_limits().into_iter().filter(|input| !is_set(&input.path)).collect()
 }
 
 /// Index of the positions of a requirement among the questions.
@@ -107,7 +96,7 @@ impl Judge<'_> {
         limits: &[InputLimits],
         questions: &[DeviationQuestion],
     ) -> Result<WithinLimits, AccuracyError> {
-        let (values, mut reason) = self.with_most_play(limits);
+        let (values, mut reason) = with_most_play(self.model, self.values, limits);
         let dimensions = limits.iter().map(|input| {
             let most_si =
                 f64::max((input.low_si - values[input.quantity]).abs(), (input.high_si - values[input.quantity]).abs());
@@ -136,19 +125,14 @@ impl Judge<'_> {
     fn requirements(&self, limits: &[InputLimits]) -> Result<Vec<MotionRequirement>, AccuracyError> {
         let (questions, asked) = self.questions();
         let WithinLimits { ends, share, reason } = self.within_limits(limits, &questions)?;
-        let all = self.study.requirements.iter().zip(&asked);
-        let each = all.flat_map(|(requirement, asked)| {
-            let poses: Vec<Option<f64>> = match requirement.location.angles_rad() {
-                Some(angles_rad) => angles_rad.iter().map(|angle| Some(*angle)).collect(),
-                None => vec![None],
-            };
-            let reason = &reason;
-            let ends = &ends;
-            poses
-                .into_iter()
-                .map(move |pose_rad| self.outcome(requirement, asked, ends, pose_rad, share, reason.clone()))
-        });
-        Ok(each.collect())
+        let mut outcomes = Vec::new();
+        for (requirement, asked) in self.study.requirements.iter().zip(&asked) {
+            for pose_rad in requirement.location.poses_rad() {
+                let known = known_ends(asked, &ends, pose_rad, &reason);
+                outcomes.push(judged(self.study, requirement, pose_rad, share, known));
+            }
+        }
+        Ok(outcomes)
     }
 
     fn questions(&self) -> (Vec<DeviationQuestion>, Vec<Asked>) {
@@ -180,100 +164,6 @@ impl Judge<'_> {
         });
         let asked = asked.collect();
         (questions, asked)
-    }
-
-    fn outcome(
-        &self,
-        requirement: &Requirement,
-        asked: &Asked,
-        ends: &AllDeviationEnds,
-        pose_rad: Option<f64>,
-        share: f64,
-        mut reason: Option<String>,
-    ) -> MotionRequirement {
-        let output = &self.study.outputs[requirement.output];
-        let [lower_si, upper_si] = requirement.limit.ends();
-        let (mut proven_si, mut found_si, mut found_at_rad) =
-            ([f64::NEG_INFINITY, f64::INFINITY], [f64::NAN; 2], [f64::NAN; 2]);
-        match asked {
-            Asked::One(place) => {
-                let own = &ends.of_questions[*place];
-                proven_si = over(&own.drive_angle_rad, &own.proven_si, pose_rad);
-                reason = reason.or_else(|| why_unproven(own, pose_rad));
-                found_si = own.found.map(|found| found.deviation_si);
-                found_at_rad = own.found.map(|found| found.drive_angle_rad);
-                for side in 0..2 {
-                    if pose_rad.is_some_and(|pose_rad| !is_same(pose_rad, found_at_rad[side], 1e-9)) {
-                        (found_si[side], found_at_rad[side]) = (f64::NAN, f64::NAN);
-                    }
-                }
-            }
-            Asked::Path(places) => {
-                let [x, y] = places.map(|place| &ends.of_questions[place]);
-                let largest = |ends: &[f64; 2]| f64::max(-ends[0], ends[1]);
-                let far = x.proven_si.iter().zip(&y.proven_si).map(|(x, y)| largest(x).hypot(largest(y)));
-                let rows: Vec<[f64; 2]> = far.map(|far| [-far, far]).collect();
-                proven_si = over(&x.drive_angle_rad, &rows, pose_rad);
-                reason = reason.or_else(|| [x, y].into_iter().find_map(|own| why_unproven(own, pose_rad)));
-            }
-            Asked::No(words) => reason = Some((*words).to_owned()),
-        }
-        let is_proven = lower_si <= proven_si[0] && proven_si[1] <= upper_si;
-        let is_broken = found_si[0] < lower_si || found_si[1] > upper_si;
-        let verdict = match asked {
-            Asked::No(_) => MotionVerdict::NeedsDynamics,
-            _ if is_broken => MotionVerdict::NotMetInTheWorstCase,
-            _ if is_proven && reason.is_none() && share >= requirement.probability_at_least => MotionVerdict::Met,
-            _ => MotionVerdict::Undecided,
-        };
-        MotionRequirement {
-            output: output.name.clone(),
-            unit: output.unit.clone(),
-            of: requirement.deviation,
-            pose_rad,
-            lower_si,
-            upper_si,
-            probability_at_least: requirement.probability_at_least,
-            share_within_limits: share.max(0.0),
-            proven_si,
-            found_si,
-            found_at_rad,
-            verdict,
-            reason,
-        }
-    }
-
-    /// The numbers of the model with every clearance as large as `limits` allow, and why they cannot be had.
-    fn with_most_play(&self, limits: &[InputLimits]) -> (Values, Option<String>) {
-        let table = self.model.quantities();
-        let mut set: Vec<(QuantityId, f64)> =
-            table.iter().filter(|(_, quantity)| quantity.is_settable()).map(|(id, _)| (id, self.values[id])).collect();
-        let with = |set: &[(QuantityId, f64)], id: QuantityId, value: f64| {
-            let mut set = set.to_vec();
-            set.push((id, value));
-            table.evaluate(&set).ok()
-        };
-        let mut reason = None;
-        for input in limits {
-            let sum = |value: f64| {
-                let values = with(&set, input.quantity, value)?;
-                Some(self.model.play_from(input.quantity).iter().map(|play| values[play.quantity]).sum::<f64>())
-            };
-            if !self.study.model.has_play_from(input.quantity) {
-                continue;
-            }
-            match (sum(input.low_si.max(0.0)), sum(input.high_si)) {
-                (Some(low), Some(high)) => {
-                    set.push((input.quantity, if high >= low { input.high_si } else { input.low_si.max(0.0) }));
-                }
-                _ => reason = Some(format!("{} cannot be set to its limits", input.path)),
-            }
-        }
-        let values = table.evaluate(&set).unwrap_or_else(|_| {
-            reason = Some("the largest clearances cannot be set together".to_owned());
-            self.values.clone()
-        });
-        (values, reason)
     }
 
     /// What may be loosened, each input by itself.
@@ -349,11 +239,43 @@ impl Judge<'_> {
     }
 }
 
+/// How far what is asked goes at a pose, or over the cycle; `reason` says why nothing is proven of the mechanism as a whole.
+fn known_ends(asked: &Asked, ends: &AllDeviationEnds, pose_rad: Option<f64>, reason: &Option<String>) -> KnownEnds {
+    let mut known = KnownEnds {
+        found_si: [f64::NAN; 2],
+        found_at_rad: [f64::NAN; 2],
+        proven_si: NOTHING_PROVEN,
+        reason: reason.clone(),
+        needs_dynamics: false,
+    };
+    match asked {
+        Asked::One(place) => {
+            let own = &ends.of_questions[*place];
+            known.proven_si = over(&own.drive_angle_rad, &own.proven_si, pose_rad);
+            known.reason = known.reason.or_else(|| why_unproven(own, pose_rad));
+            for (side, found) in own.found.iter().enumerate() {
+                if pose_rad.is_none_or(|pose_rad| is_same(pose_rad, found.drive_angle_rad, 1e-9)) {
+                    (known.found_si[side], known.found_at_rad[side]) = (found.deviation_si, found.drive_angle_rad);
+                }
+            }
+        }
+        Asked::Path(places) => {
+            let [x, y] = places.map(|place| &ends.of_questions[place]);
+            let largest = |ends: &[f64; 2]| f64::max(-ends[0], ends[1]);
+            let far = x.proven_si.iter().zip(&y.proven_si).map(|(x, y)| largest(x).hypot(largest(y)));
+            let rows: Vec<[f64; 2]> = far.map(|far| [-far, far]).collect();
+            known.proven_si = over(&x.drive_angle_rad, &rows, pose_rad);
+            known.reason = known.reason.or_else(|| [x, y].into_iter().find_map(|own| why_unproven(own, pose_rad)));
+        }
+        Asked::No(words) => (known.reason, known.needs_dynamics) = (Some((*words).to_owned()), true),
+    }
+    known
+}
+
 /// The ends over the cycle, or over what the positions around a pose stand for.
 pub(super) fn over(drive_angle_rad: &[f64], ends: &[[f64; 2]], pose_rad: Option<f64>) -> [f64; 2] {
-    let nothing = [f64::NEG_INFINITY, f64::INFINITY];
     let rows = rows_of(drive_angle_rad, pose_rad).map(|row| ends[row]);
-    rows.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]).unwrap_or(nothing)
+    rows.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]).unwrap_or(NOTHING_PROVEN)
 }
 
 /// The first reason why nothing is proven there.

@@ -1,7 +1,9 @@
 //! The values with which joints have the most play, for what knows no intervals and no distributions.
 
 use crate::file::Study;
-use loosepin_mechanics::model::QuantityId;
+use crate::model::StudyModel;
+use crate::response::input_limits::InputLimits;
+use loosepin_mechanics::model::{QuantityId, Values};
 use loosepin_text::units::{ReadableUnit, SiUnit, UNITS, format_value, parse_quantity};
 
 impl Study {
@@ -43,4 +45,39 @@ impl Study {
         let exact = texts.into_iter().find(|text| parse_quantity(text).is_ok_and(|read| read.value_si == value_si));
         exact.unwrap_or_else(|| format!("{value_si:e} {}", SiUnit::of_dimension(dimension).symbol()))
     }
+}
+
+/// The numbers of `model` with every clearance as large as `limits` allow, all else as in `values`, and why they cannot be had.
+pub(super) fn with_most_play(model: &StudyModel, values: &Values, limits: &[InputLimits]) -> (Values, Option<String>) {
+    let table = model.quantities();
+    let mut set: Vec<(QuantityId, f64)> =
+        table.iter().filter(|(_, quantity)| quantity.is_settable()).map(|(id, _)| (id, values[id])).collect();
+    let mut reason = None;
+    for input in limits {
+        let plays = model.play_from(input.quantity);
+        if plays.is_empty() {
+            continue;
+        }
+        let ends_si = [input.low_si.max(0.0), input.high_si];
+        let clearances_m = ends_si.map(|end_si| {
+            let set: Vec<(QuantityId, f64)> = set.iter().copied().chain([(input.quantity, end_si)]).collect();
+            let values = table.evaluate(&set).ok()?;
+            Some(plays.iter().map(|play| values[play.quantity]).collect::<Vec<f64>>())
+        });
+        let [Some(low_m), Some(high_m)] = clearances_m else {
+            reason = Some(format!("{} cannot be set to its limits", input.path));
+            continue;
+        };
+        let is_high = high_m.iter().sum::<f64>() >= low_m.iter().sum::<f64>();
+        let (end_si, most_m, least_m) = if is_high { (ends_si[1], high_m, low_m) } else { (ends_si[0], low_m, high_m) };
+        if most_m.iter().zip(&least_m).any(|(most_m, least_m)| most_m < least_m) {
+            reason = Some(format!("{} makes one play larger where it makes another one smaller", input.path));
+        }
+        set.push((input.quantity, end_si));
+    }
+    let values = table.evaluate(&set).unwrap_or_else(|_| {
+        reason = Some("the largest clearances cannot be set together".to_owned());
+        values.clone()
+    });
+    (values, reason)
 }

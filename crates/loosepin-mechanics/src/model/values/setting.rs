@@ -150,6 +150,11 @@ impl Model {
 }
 
 impl Setting {
+    /// Whether the text `path=value` sets the quantity with this path.
+    pub fn is_of(text: &str, path: &str) -> bool {
+        text.split_once('=').is_some_and(|(own, _)| own.trim() == path)
+    }
+
     /// Reads a setting `path=value` of a table of quantities and checks it by itself; `find` gives the quantity with a path.
     ///
     /// # Errors

@@ -28,6 +28,7 @@ use crate::words::limits::requirement_words;
 use crate::words::wording::{
     UNKNOWN_INPUTS, counted, deviation_words, has_unknown, output_unit, place_words, verdict_words,
 };
+use loosepin_result::point_path::PointPath;
 use loosepin_result::study::{RequirementOutcome, StudyResult, Verdict};
 use loosepin_text::article::{self, Cell, Column, Content, Table, Text};
 
@@ -51,7 +52,10 @@ fn page(result: &StudyResult) -> Page {
     let own = |id: &'static str, title: &'static str, is_there: bool, body: &dyn Fn() -> Markup| {
         is_there.then(|| Section::new(id, title, body()))
     };
-    let has_path = result.paths.is_some() || result.curves.iter().any(|curve| curve.path.is_some());
+    // A path in space is drawn with its mechanism.
+    let is_planar = |path: &PointPath| !path.is_in_space();
+    let has_path = result.paths.as_ref().is_some_and(|all| all.paths.iter().any(is_planar))
+        || result.curves.iter().any(|curve| curve.path.is_some());
     let has_boxes = result.boxes.len() > first.boxes;
     let sections = [
         own("paths", "The path and its tolerance zone", has_path, &|| curves::zones(result, writer)),

@@ -25,6 +25,8 @@ pub struct PlayQuestion {
     pub part: SampledPart,
     /// Whether the number itself is meant, with its ideal value, and not its deviation from that.
     pub is_value: bool,
+    /// Whether the joints have their play; without it the ends are the ideal values.
+    pub has_play: bool,
     /// The place in the turn, from 0 to 1; all positions of the cycle where it is `None`.
     pub turn: Option<f64>,
     /// Limits in m or rad. Where they are found to be broken, nothing is proven.
@@ -141,7 +143,7 @@ type At<T> = Result<T, (usize, AccuracyError)>;
 impl Walk<'_> {
     fn ends(&self, question: &PlayQuestion, looked_at: Range<usize>) -> At<PlayEnds> {
         let turn = |index: usize| self.positions[index].input / self.input.turn_s;
-        if !self.mechanism.joints().iter().any(has_play) {
+        if !question.has_play || !self.mechanism.joints().iter().any(has_play) {
             return Ok(self.ideal_ends(looked_at, &turn));
         }
         let mut sizes = Vec::with_capacity(looked_at.len());
