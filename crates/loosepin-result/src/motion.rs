@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use crate::point_path::PointPath;
 use crate::repeat::Repeat;
+use crate::round_off::drop_round_off;
 use serde::{Deserialize, Serialize};
 
 use crate::kinematics::KinematicProperties;
@@ -428,6 +429,44 @@ impl MotionRecord {
             [first, .., last] => ((last - first) / TAU - 1.0).abs() < ROUND_OFF,
             _ => false,
         }
+    }
+}
+
+impl ClearanceAnswer {
+    /// Leaves of the answer which joints have play: nothing is known of what it does.
+    pub fn forget(&mut self) {
+        let joints = std::mem::take(&mut self.contributors).into_iter().map(|own| JointContributor {
+            joint: own.joint,
+            radial_clearance_m: own.radial_clearance_m,
+            ..JointContributor::default()
+        });
+        *self = Self { contributors: joints.collect(), ..Self::default() };
+    }
+
+    /// Whether joints have play, and nothing is known of what it does.
+    pub fn is_forgotten(&self) -> bool {
+        let has_numbers = !(self.first_order_si.is_empty() && self.worst_case_si.is_empty());
+        !has_numbers && self.contributors.iter().any(|own| own.radial_clearance_m > 0.0)
+    }
+
+    /// Puts 0 in the place of effects below `threshold_si`, which are nothing but round-off. Proven ends stay as they are: they are never narrowed.
+    pub fn drop_round_off(&mut self, threshold_si: f64) {
+        let histories = [
+            &mut self.first_order_si,
+            &mut self.worst_case_si,
+            &mut self.lowest_si,
+            &mut self.highest_si,
+            &mut self.disc_standard_deviation_si,
+            &mut self.rim_standard_deviation_si,
+        ];
+        let of_joints = self
+            .contributors
+            .iter_mut()
+            .flat_map(|own| [&mut own.first_order_si, &mut own.offset_si, &mut own.lean_si, &mut own.axial_si]);
+        let searched = self.searched.iter_mut().flat_map(|own| &mut own.found_si);
+        let effects = histories.into_iter().chain(of_joints).flatten().chain(searched);
+        drop_round_off(effects, threshold_si);
+        self.witness.take_if(|witness| witness.deviation_si.abs() < threshold_si);
     }
 }
 
