@@ -134,7 +134,12 @@ pub fn deviation_ends_until(
     let proven = asked.proven(questions, &mut unproven)?;
     let mut of_questions = Vec::with_capacity(questions.len());
     for (question, Proven { ends_si, causes }) in questions.iter().zip(proven) {
-        let found = asked.found(question, &ends_si, &causes)?;
+        // Searches that count each play alone find places that the loops may not reach.
+        let meets_conditions = mechanism.ideal.is_redundant() && !reaches.is_empty() && question.of.has_play();
+        let found = match meets_conditions {
+            true => [(0, f64::NAN); 2],
+            false => asked.found(question, &ends_si, &causes)?,
+        };
         let found =
             found.map(|(row, deviation_si)| FoundDeviation { drive_angle_rad: drive_angle_rad[row], deviation_si });
         let moved_by = match (question.of.has_play(), dimensions.is_empty()) {
