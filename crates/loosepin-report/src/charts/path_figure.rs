@@ -253,8 +253,12 @@ impl Words {
         let tick = writer.with_tag(&Tag::Given("marks of a path")).value_trimmed(TICK_DEG.to_radians(), &SiUnit::ANGLE);
         let marks = format!("Marks: every {tick} of {drive}.");
         if !path.has_zone() {
+            let play = match path.is_play_known() {
+                true => "Neither play nor scatter moves it.",
+                false => "What play does to it is not known.",
+            };
             return Self {
-                sentences: format!("Neither play nor scatter moves it. {marks}"),
+                sentences: format!("{play} {marks}"),
                 alternative: format!("The path of {}.", path.point),
                 magnification: magnified,
             };
