@@ -486,6 +486,18 @@ mod tests {
     }
 
     #[test]
+    fn a_zone_that_is_not_known_is_not_said_to_be_none() {
+        let mut unknown = circle();
+        for reach_m in [&mut unknown.play_reach_m, &mut unknown.play_along_m, &mut unknown.play_across_m] {
+            reach_m.fill(f64::NAN);
+        }
+        let drawn = figure_of(&unknown);
+        assert!(drawn.contains("What play does to it is not known.") && !drawn.contains("Neither"), "{drawn}");
+        assert!(!drawn.contains("NaN") && !drawn.contains("of deviation"), "{drawn}");
+        assert!(figure_of(&circle()).contains("Neither play nor scatter moves it."));
+    }
+
+    #[test]
     fn a_point_that_stands_still_is_said_to() {
         let mut still = circle();
         // Round-off of a place.
