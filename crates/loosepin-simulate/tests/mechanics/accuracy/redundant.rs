@@ -3,6 +3,7 @@
 use super::motion::plan;
 use super::{Built, build_text};
 use loosepin_result::motion::MotionRecord;
+use loosepin_result::point_path::REACH_DIRECTIONS;
 use loosepin_result::study::Deviation;
 use loosepin_simulate::accuracy::{
     AskedPose, DeviationQuestion, MotionPlan, Scatter, deviation_ends, motion, motion_with_worst_cases,
@@ -15,7 +16,11 @@ const CRANK_M: f64 = 0.08;
 
 /// The coupler lies 200 mm long on the driven crank and a rocker with play at its pivot, and half way on a crank in the middle with play there too.
 fn three_cranks(rocker_clearance: &str, middle: &str) -> Built {
-    build_text(&format!(
+    build_text(&three_cranks_text(rocker_clearance, middle))
+}
+
+fn three_cranks_text(rocker_clearance: &str, middle: &str) -> String {
+    format!(
         r#"
 name = "three cranks"
 
@@ -71,7 +76,7 @@ along = "y"
 [cycle]
 drive = "crank"
 "#
-    ))
+    )
 }
 
 fn pivot(clearance: &str) -> String {
@@ -158,25 +163,57 @@ fn held_by_slots() -> Built {
     three_cranks("0.1 mm", slot)
 }
 
-/// Then nothing is said of play, and why: which joints have it, but no effect on an output and no zone of a path.
+/// Then nothing is said of play, and why: which joints have it, but no effect on an output and no zone of a path. An output that is seen from a body
+/// is found to have none only at the first position.
 #[test]
 fn what_space_does_not_have_is_said_not_guessed() {
-    let built = held_by_slots();
-    let paths = built.mechanism.model.points_of_paths(&["coupler.c".to_owned()]).expect("a point");
-    let record = motion_with_worst_cases(&built.mechanism, &built.values, &MotionPlan { paths, ..plan(&built, 40) });
-    let record = record.expect("a motion");
-    for output in &record.outputs {
-        assert!(output.clearance.is_forgotten());
-        let [joint] = &output.clearance.contributors[..] else { panic!("{:?}", output.clearance) };
-        assert_eq!((joint.joint.as_str(), joint.radial_clearance_m), ("rocker_pivot", 1e-4));
-        assert!(joint.first_order_si.is_empty());
+    let output = "angle_of = \"rocker\"";
+    let seen =
+        three_cranks_text("0.1 mm", &pivot("0.1 mm")).replace(output, &format!("{output}\nrelative_to = \"crank\""));
+    for (built, joints, reason) in [
+        (held_by_slots(), &["rocker_pivot"][..], "there is none like joint 'middle_pivot'"),
+        (build_text(&seen), &["rocker_pivot", "middle_pivot"], "output 'rocker' is seen from a body"),
+    ] {
+        let paths = built.mechanism.model.points_of_paths(&["coupler.c".to_owned()]).expect("a point");
+        let record =
+            motion_with_worst_cases(&built.mechanism, &built.values, &MotionPlan { paths, ..plan(&built, 40) });
+        let record = record.expect("a motion");
+        for output in &record.outputs {
+            assert!(output.clearance.is_forgotten());
+            let contributors = &output.clearance.contributors;
+            assert!(
+                contributors.iter().map(|joint| joint.joint.as_str()).eq(joints.iter().copied()),
+                "{contributors:?}"
+            );
+            assert!(
+                contributors.iter().all(|joint| joint.radial_clearance_m == 1e-4 && joint.first_order_si.is_empty())
+            );
+        }
+        let [path] = &record.paths[..] else { panic!("one path") };
+        assert!(path.is_complete() && !path.is_play_known() && !path.has_zone());
+        let reaches = [&path.play_reach_m, &path.play_along_m, &path.play_across_m];
+        assert!(reaches.into_iter().flatten().all(|reach_m| reach_m.is_nan()));
+        let [remark] = &record.remarks[..] else { panic!("{:?}", record.remarks) };
+        assert!(remark.contains(reason), "{remark}");
+        assert!(record.unproven_spans.is_empty());
     }
+}
+
+/// The reach of a path along y is the worst case of that coordinate of its point.
+#[test]
+fn identity_the_zone_of_a_path_reaches_as_far_as_its_coordinates() {
+    /// Round-off of the position over that of the clearance.
+    const ROUND_OFF: f64 = 1e-8;
+    let built = three_cranks("0.1 mm", &pivot("0.02 mm"));
+    let paths = built.mechanism.model.points_of_paths(&["coupler.b".to_owned()]).expect("a point");
+    let record = motion(&built.mechanism, &built.values, &MotionPlan { paths, ..plan(&built, 40) }).expect("a motion");
     let [path] = &record.paths[..] else { panic!("one path") };
-    assert!(path.is_complete() && !path.is_play_known() && !path.has_zone());
-    let reaches = [&path.play_reach_m, &path.play_along_m, &path.play_across_m];
-    assert!(reaches.into_iter().flatten().all(|reach_m| reach_m.is_nan()));
-    let [remark] = &record.remarks[..] else { panic!("{:?}", record.remarks) };
-    assert!(remark.contains("there is none like joint 'middle_pivot'"), "{remark}");
+    let height = &record.outputs[1].clearance.first_order_si;
+    for (position, due) in height.iter().enumerate() {
+        let found = path.play_reach_m[position * REACH_DIRECTIONS + REACH_DIRECTIONS / 2];
+        assert!((found - due).abs() < ROUND_OFF * 1e-4, "{position}: {found} {due}");
+    }
+    assert!(height.iter().any(|effect_si| *effect_si > 1e-5), "{height:?}");
 }
 
 /// The effects of play on the rocker at a pose are those of the closed form, and the scatter is that of the turn; where nothing is known of play
