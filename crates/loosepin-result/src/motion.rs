@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use crate::point_path::PointPath;
 use crate::repeat::Repeat;
+use crate::round_off::drop_round_off;
 use serde::{Deserialize, Serialize};
 
 use crate::kinematics::KinematicProperties;
@@ -174,10 +175,10 @@ pub struct PoseEffect {
     pub pose_rad: f64,
     /// Whether a requirement names the pose, not a question alone.
     pub is_required: bool,
-    /// Sum of the first-order effects of all joints.
+    /// Sum of the first-order effects of all joints; not a number where it is not known.
     #[serde(with = "extended")]
     pub first_order_si: f64,
-    /// That of each joint with play, in their order.
+    /// That of each joint with play, in their order; empty where it is not known.
     pub joints: Vec<NamedEffect>,
     /// Standard deviation from the scatter of the dimensions, correlations included; 0 where none scatters.
     #[serde(with = "extended")]
@@ -305,7 +306,7 @@ pub struct ClearanceAnswer {
     /// Positions of the joints in the worst case over the cycle; absent in previews and where play moves nothing.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub witness: Option<WorstCaseWitness>,
-    /// Searches at single positions, where there is none at all of them: where the first-order sum is largest; then, if play comes near a dead
+    /// Searches at single positions, where there is none at all of them (in space, and in the plane where plays must meet conditions together): where the first-order sum is largest; then, if play comes near a dead
     /// centre there, where it is largest of the positions in which play comes near none.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub searched: Vec<SearchedPosition>,
@@ -315,7 +316,7 @@ pub struct ClearanceAnswer {
     /// Standard deviation when the journals are on the rims; empty where there is no closed form.
     #[serde(with = "extended")]
     pub rim_standard_deviation_si: Vec<f64>,
-    /// Contribution of each joint.
+    /// Contribution of each joint; without effects where nothing is known of play.
     pub contributors: Vec<JointContributor>,
 }
 
@@ -384,7 +385,7 @@ pub struct JointContributor {
     #[serde(with = "extended")]
     pub first_order_si: Vec<f64>,
     /// The largest effect of an offset of the journal without a lean, over the cycle. Both share the clearance: with the next it adds up to more
-    /// than the part. Empty where a journal has no other freedom.
+    /// than the part. Empty in the plane, where a journal has no other freedom; 0 in space where it has none.
     #[serde(default, with = "extended", skip_serializing_if = "Vec::is_empty")]
     pub offset_si: Vec<f64>,
     /// The largest effect of a lean of the journal without an offset; empty where it cannot lean.
@@ -434,6 +435,44 @@ impl MotionRecord {
     }
 }
 
+impl ClearanceAnswer {
+    /// Leaves of the answer which joints have play: nothing is known of what it does.
+    pub fn forget(&mut self) {
+        let joints = std::mem::take(&mut self.contributors).into_iter().map(|own| JointContributor {
+            joint: own.joint,
+            radial_clearance_m: own.radial_clearance_m,
+            ..JointContributor::default()
+        });
+        *self = Self { contributors: joints.collect(), ..Self::default() };
+    }
+
+    /// Whether joints have play, and nothing is known of what it does.
+    pub fn is_forgotten(&self) -> bool {
+        let has_numbers = !(self.first_order_si.is_empty() && self.worst_case_si.is_empty());
+        !has_numbers && self.contributors.iter().any(|own| own.radial_clearance_m > 0.0)
+    }
+
+    /// Puts 0 in the place of effects below `threshold_si`, which are nothing but round-off. Proven ends stay as they are: they are never narrowed.
+    pub fn drop_round_off(&mut self, threshold_si: f64) {
+        let histories = [
+            &mut self.first_order_si,
+            &mut self.worst_case_si,
+            &mut self.lowest_si,
+            &mut self.highest_si,
+            &mut self.disc_standard_deviation_si,
+            &mut self.rim_standard_deviation_si,
+        ];
+        let of_joints = self
+            .contributors
+            .iter_mut()
+            .flat_map(|own| [&mut own.first_order_si, &mut own.offset_si, &mut own.lean_si, &mut own.axial_si]);
+        let searched = self.searched.iter_mut().flat_map(|own| &mut own.found_si);
+        let effects = histories.into_iter().chain(of_joints).flatten().chain(searched);
+        drop_round_off(effects, threshold_si);
+        self.witness.take_if(|witness| witness.deviation_si.abs() < threshold_si);
+    }
+}
+
 impl OutputMotion {
     /// Whether it is a displacement or a rotation, whose deviations are sizes: they have no sign.
     pub fn is_size(&self) -> bool {
@@ -443,5 +482,42 @@ impl OutputMotion {
     /// Whether it is a coordinate or an error of a path: it has no motion of its own.
     pub fn is_of_path(&self) -> bool {
         self.coordinate_of.is_some() || self.path_error.is_some()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn round_off_is_dropped_wherever_it_stands_but_proven_ends_stay() {
+        const EFFECTS_M: [f64; 3] = [1e-5, 1e-20, -3e-20];
+        let effects = || EFFECTS_M.to_vec();
+        let searched =
+            SearchedPosition { position: 0, found_si: [-3e-20, 1e-5], proven_si: Some([-4e-20, 2e-5]), conditions: 0 };
+        let joint = JointContributor {
+            first_order_si: effects(),
+            offset_si: effects(),
+            lean_si: effects(),
+            axial_si: effects(),
+            ..JointContributor::default()
+        };
+        let mut answer = ClearanceAnswer {
+            first_order_si: effects(),
+            lowest_si: effects(),
+            proven_lowest_si: effects(),
+            rim_standard_deviation_si: effects(),
+            searched: vec![searched],
+            contributors: vec![joint],
+            ..ClearanceAnswer::default()
+        };
+        answer.drop_round_off(1e-12);
+        let [joint] = &answer.contributors[..] else { panic!("one joint") };
+        let dropped = [&answer.first_order_si, &answer.lowest_si, &answer.rim_standard_deviation_si];
+        let of_joint = [&joint.first_order_si, &joint.offset_si, &joint.lean_si, &joint.axial_si];
+        assert!(dropped.into_iter().chain(of_joint).all(|own| *own == [1e-5, 0.0, 0.0]), "{answer:?}");
+        assert_eq!(answer.searched[0].found_si, [0.0, 1e-5]);
+        assert_eq!(answer.searched[0].proven_si, Some([-4e-20, 2e-5]));
+        assert_eq!(answer.proven_lowest_si, EFFECTS_M);
     }
 }

@@ -21,6 +21,8 @@ pub const ELLIPSE_SHARE: f64 = 0.95;
 /// In space the zone has no recorded outline here, and no ellipse: it is known by its reach along and across the motion and by the longest d.
 /// Pictures have its hull.
 ///
+/// The reaches of play are not numbers where nothing is known of it.
+///
 /// All lists have one entry per angle of the drive, unless said otherwise.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct PointPath {
@@ -143,6 +145,11 @@ impl PointPath {
         magnitudes([&self.acceleration_x_m_s2, &self.acceleration_y_m_s2, &self.acceleration_z_m_s2])
     }
 
+    /// Whether it is known how far play takes the point.
+    pub fn is_play_known(&self) -> bool {
+        !self.play_along_m.iter().chain(&self.play_across_m).chain(&self.play_reach_m).any(|reach_m| reach_m.is_nan())
+    }
+
     /// Whether play takes the point off its path.
     pub fn has_play(&self) -> bool {
         self.play_reach_m.iter().chain(&self.play_longest_m).any(|reach_m| *reach_m > 0.0)
@@ -153,9 +160,9 @@ impl PointPath {
         self.scatter_major_m.iter().any(|major_m| *major_m > 0.0)
     }
 
-    /// Whether anything takes the point off its path.
+    /// Whether anything takes the point off its path, and it is known how far.
     pub fn has_zone(&self) -> bool {
-        self.has_play() || self.has_scatter()
+        self.is_play_known() && (self.has_play() || self.has_scatter())
     }
 
     /// Reach of play and of the ellipse of the scatter together in recorded direction `direction`, m.

@@ -17,3 +17,10 @@ pub fn round_off_si(unit: &SiUnit, size_m: f64) -> f64 {
         0.0
     }
 }
+
+/// Puts 0 in the place of numbers below `threshold_si`.
+pub fn drop_round_off<'n>(numbers: impl IntoIterator<Item = &'n mut f64>, threshold_si: f64) {
+    for number in numbers.into_iter().filter(|number| number.abs() < threshold_si) {
+        *number = 0.0;
+    }
+}

@@ -50,9 +50,10 @@ mod sampling;
 mod stop;
 
 pub use accuracy::{
-    AccuracyError, AssemblyReserve, ClosedByPlay, DisplacedPosition, Extreme, FirstOrder, Gains, JournalGain,
-    LargestNorm, LeastPlay, MarkerError, MarkerGain, MarkerGains, MarkerScatter, MarkerSide, PlacedBlock,
-    PlayDistribution, PlaySet, PoseAccuracy, ProvenEnds, SampledDeviation, SearchOptions, WorstCase,
+    AccuracyError, AssemblyReserve, ClosedByPlay, DeadCentreNearness, DisplacedPosition, Extreme, FirstOrder, Gains,
+    JournalGain, LargestNorm, LeastPlay, MarkerError, MarkerGain, MarkerGains, MarkerScatter, MarkerSide, PlacedBlock,
+    PlayDistribution, PlaySet, PoseAccuracy, ProvenEnds, SampledDeviation, SearchOptions, Worst, WorstCase,
+    WorstPlaces,
 };
 pub use chain::{ChainError, ChainPose, ChainSample, OpenChain};
 pub use closure::error::{ClosureError, DrivePlace, OpenJoint};

@@ -253,8 +253,12 @@ impl Words {
         let tick = writer.with_tag(&Tag::Given("marks of a path")).value_trimmed(TICK_DEG.to_radians(), &SiUnit::ANGLE);
         let marks = format!("Marks: every {tick} of {drive}.");
         if !path.has_zone() {
+            let play = match path.is_play_known() {
+                true => "Neither play nor scatter moves it.",
+                false => "What play does to it is not known.",
+            };
             return Self {
-                sentences: format!("Neither play nor scatter moves it. {marks}"),
+                sentences: format!("{play} {marks}"),
                 alternative: format!("The path of {}.", path.point),
                 magnification: magnified,
             };
@@ -479,6 +483,18 @@ mod tests {
         loose.play_reach_m.iter_mut().for_each(|reach_m| *reach_m = 2e-4);
         let drawn = figure_of(&loose);
         assert!(drawn.contains("along the path") && drawn.contains("of deviation"), "{drawn}");
+    }
+
+    #[test]
+    fn a_zone_that_is_not_known_is_not_said_to_be_none() {
+        let mut unknown = circle();
+        for reach_m in [&mut unknown.play_reach_m, &mut unknown.play_along_m, &mut unknown.play_across_m] {
+            reach_m.fill(f64::NAN);
+        }
+        let drawn = figure_of(&unknown);
+        assert!(drawn.contains("What play does to it is not known.") && !drawn.contains("Neither"), "{drawn}");
+        assert!(!drawn.contains("NaN") && !drawn.contains("of deviation"), "{drawn}");
+        assert!(figure_of(&circle()).contains("Neither play nor scatter moves it."));
     }
 
     #[test]

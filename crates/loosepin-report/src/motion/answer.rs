@@ -60,6 +60,8 @@ pub(super) fn all_said(record: &MotionRecord, writer: &NumberWriter) -> Vec<Said
         let playing = playing_joints(record);
         said.push(Said::answer(if record.outputs.is_empty() {
             "No output is a position or an angle: no effect of play is shown.".to_owned()
+        } else if record.outputs.iter().any(|output| output.clearance.is_forgotten()) {
+            format!("What the play of {} does is not known.", listed(&playing))
         } else if !playing.is_empty() {
             format!("The play of {} moves none of the outputs.", listed(&playing))
         } else if is_ideal {

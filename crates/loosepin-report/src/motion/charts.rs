@@ -13,17 +13,25 @@ use loosepin_result::point_path::PointPath;
 use loosepin_text::units::SiUnit;
 
 use super::angles::angle_chart;
+use super::lean::journals_lean;
 use super::moved::has_clearance;
-use super::play_effect::{Shown, play_effect};
+use super::play_effect::{Shown, is_spread_anywhere, play_effect};
+use super::searched::is_together;
 
 /// Explanation of the charts, and a chart of each output but the first, whose chart stands below the answer.
 pub(super) fn clearance(record: &MotionRecord, writer: &NumberWriter) -> Markup {
-    let is_searched = record.outputs.iter().any(|output| !output.clearance.searched.is_empty());
+    let places = match journals_lean(record) {
+        true => "Each journal may be anywhere in its play: offsets, leans and axial displacements at once.",
+        false => "Each journal may be anywhere in its clearance circle, as far as the loops close.",
+    };
+    let spread = match record.outputs.iter().any(is_spread_anywhere) {
+        true => " The standard deviation assumes all places alike.",
+        false => "",
+    };
     html! {
-        @if is_searched { p {
-            "Each journal may be anywhere in its play: offsets, leans and axial displacements at once. The band is the worst case of first order. \
-             Where it is largest, a search closed the loops exactly. The standard deviation assumes all places alike. Inertia and impacts are not \
-             included."
+        @if is_together(record) { p {
+            (places) " The band is the worst case of first order. Where it is largest, a search closed the loops exactly." (spread)
+            " Inertia and impacts are not included."
         } } @else { p {
             "Each journal may be anywhere in its clearance circle. The worst case is the largest deviation found by a search over all these positions, with the exact geometry of the links. No position leads beyond the proven ends. The standard deviations assume journals uniformly distributed over their circles, or over the rims. Inertia and impacts are not \
              included: use " code { "simulate" } " and " code { "study" } " for them."

@@ -14,8 +14,10 @@ use loosepin_result::motion::MotionRecord;
 use loosepin_text::article::Fact;
 
 use super::angles::turn_angle;
+use super::lean::journals_lean;
 use super::moved::has_clearance;
 use super::play_effect::play_effect;
+use super::searched::is_together;
 
 /// Without play a picture in space shows the position at this fraction of the cycle (one over it) first: not a dead centre.
 const FIRST_POSITION: usize = 6;
@@ -61,23 +63,21 @@ pub(super) fn size_m(record: &MotionRecord) -> f64 {
 
 /// How its motion and the effect of play on it are computed.
 pub(super) fn motion_method(record: &MotionRecord, positions: &str, writer: &NumberWriter) -> Vec<Fact> {
-    if record.picture.is_empty() {
-        let [two, four] = [2, 4].map(|divisor| writer.with_tag(&Tag::Given("divisor")).count(divisor));
-        let first_order = format!(
-            "to first order an eccentricity e within |e| ≤ c moves the output by g·e, with g from the mechanism's own Jacobian: Σ c|g| at most; \
-             variance Σ c²|g|²/{four} (anywhere in the disc), Σ c²|g|²/{two} (on the rim)"
-        );
-        let closed = format!("loops closed at position, velocity and acceleration level, {positions} positions");
-        return vec![Fact::new("Ideal motion", [closed]), Fact::new("Effect of play", [first_order])];
-    }
-    let closed = format!("loops closed at {positions} positions; between them nothing is looked at");
+    let is_planar = record.picture.is_empty();
+    let closed = match is_planar {
+        true => format!("loops closed at position, velocity and acceleration level, {positions} positions"),
+        false => format!("loops closed at {positions} positions; between them nothing is looked at"),
+    };
     let mut facts = vec![Fact::new("Ideal motion", [closed])];
-    if record.outputs.iter().any(has_clearance) {
-        facts.push(Fact::new(
-            "Effect of play",
-            ["the largest g·p over all places p of the journals in their bearings and sockets, offsets, leans and axial displacements at once; g are \
-              the derivatives of the output in the ideal position"],
-        ));
+    if is_together(record) {
+        let places = match journals_lean(record) {
+            true => "journals in their bearings and sockets, offsets, leans and axial displacements at once",
+            false => "journals in their bearings that let the loops close",
+        };
+        let first_order = format!(
+            "the largest g·p over all places p of the {places}; g are the derivatives of the output in the ideal position"
+        );
+        facts.push(Fact::new("Effect of play", [first_order]));
         facts.push(Fact::new(
             "Found",
             ["in the position with the largest worst case: a search over all places of the journals with loops closed exactly. The values are \
@@ -89,6 +89,13 @@ pub(super) fn motion_method(record: &MotionRecord, positions: &str, writer: &Num
                 ["where play takes a point to first order: the hull of the displacements that go farthest in directions spread over the sphere"],
             ));
         }
+    } else if is_planar && !record.outputs.iter().any(|output| output.clearance.is_forgotten()) {
+        let [two, four] = [2, 4].map(|divisor| writer.with_tag(&Tag::Given("divisor")).count(divisor));
+        let first_order = format!(
+            "to first order an eccentricity e within |e| ≤ c moves the output by g·e, with g from the mechanism's own Jacobian: Σ c|g| at most; \
+             variance Σ c²|g|²/{four} (anywhere in the disc), Σ c²|g|²/{two} (on the rim)"
+        );
+        facts.push(Fact::new("Effect of play", [first_order]));
     }
     facts
 }

@@ -6,6 +6,12 @@ use loosepin_result::motion::{MotionRecord, OutputMotion};
 
 use super::play_effect::{largest_first_order, to_both_sides};
 
+/// Whether journals lean in their bearings: in space, and in a planar mechanism whose pins do.
+pub(super) fn journals_lean(record: &MotionRecord) -> bool {
+    let has_held = |output: &OutputMotion| !output.clearance.held_first_order_si.is_empty();
+    !record.picture.is_empty() || record.outputs.iter().any(has_held)
+}
+
 /// `75 % of it is lean: with pins that do not lean it is ±0.05000 mm.`, where play moves an output most; `None` where pins do not lean.
 pub(super) fn lean_words(record: &MotionRecord, output: &OutputMotion, writer: &NumberWriter) -> Option<String> {
     let answer = &output.clearance;

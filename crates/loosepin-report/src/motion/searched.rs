@@ -92,6 +92,16 @@ pub(super) fn searched_said(
     output.clearance.searched.iter().enumerate().map(said).collect()
 }
 
+/// Whether the worst cases of first order are those of all journals together, and are searched in single positions: in space, and in a plane where
+/// the plays must meet conditions together.
+pub(super) fn is_together(record: &MotionRecord) -> bool {
+    // What each play does by itself has a standard deviation on the rims.
+    let is_own = |output: &OutputMotion| {
+        !output.clearance.searched.is_empty() || output.clearance.rim_standard_deviation_si.is_empty()
+    };
+    record.outputs.iter().filter(|output| has_clearance(output)).any(is_own)
+}
+
 /// What the numbers of the table of outputs are, where they are others than those of journals in circles.
 pub(super) fn notes(record: &MotionRecord) -> Vec<String> {
     let playing = || record.outputs.iter().filter(|output| has_clearance(output));

@@ -5,6 +5,7 @@ use super::cycle_worst_case::driven_steps;
 use super::dead_centre::{DeadCentre, dead_centre};
 use super::dimension::{DimensionDirection, dimension_direction};
 use super::error::AccuracyError;
+use super::in_space::is_asked_in_space;
 use super::loops::DisplacedLoops;
 use super::overhang::overhanging;
 use super::play_reach::PlayReach;
@@ -134,7 +135,11 @@ pub fn deviation_ends_until(
     let proven = asked.proven(questions, &mut unproven)?;
     let mut of_questions = Vec::with_capacity(questions.len());
     for (question, Proven { ends_si, causes }) in questions.iter().zip(proven) {
-        let found = asked.found(question, &ends_si, &causes)?;
+        // Searches that count each play alone find places that the loops may not reach, and know no lean.
+        let found = match is_asked_in_space(mechanism) && question.of.has_play() {
+            true => [(0, f64::NAN); 2],
+            false => asked.found(question, &ends_si, &causes)?,
+        };
         let found =
             found.map(|(row, deviation_si)| FoundDeviation { drive_angle_rad: drive_angle_rad[row], deviation_si });
         let moved_by = match (question.of.has_play(), dimensions.is_empty()) {
@@ -238,6 +243,10 @@ impl Asked<'_, '_> {
             let of = |question: &DeviationQuestion| question.of.has_play() == has_play;
             let places: Vec<usize> = (0..questions.len()).filter(|place| of(&questions[*place])).collect();
             if places.is_empty() {
+                continue;
+            }
+            if has_play && is_asked_in_space(self.mechanism) {
+                places.iter().for_each(|place| ends[*place].causes.fill(Some(Cause::Lean)));
                 continue;
             }
             let variables = Variables::new(if has_play { self.reaches } else { &[] });

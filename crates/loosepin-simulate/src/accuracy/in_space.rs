@@ -81,7 +81,10 @@ impl<'a> InSpace<'a> {
         let values = &state.coordinates()[tree.free..];
         let drives: Vec<DriveValue> = values.iter().map(|value| DriveValue::at_rate(*value, 0.0)).collect();
         let position = assemble(&mechanism, &drives).map_err(|error| error.to_string())?;
-        Ok((mechanism, position))
+        match position.is_other_start {
+            true => Err("the joints do not close there as in the plane".to_owned()),
+            false => Ok((mechanism, position)),
+        }
     }
 
     /// The number of the joint of each play.
@@ -97,33 +100,43 @@ impl<'a> InSpace<'a> {
                 Position::Angle(angle) if angle.to.is_none() => {
                     Some(RotationOutput { body: angle.of.0, axis: Vec3::Z }.into())
                 }
-                Position::Point(point, Axis::X) if point.to.is_none() => {
-                    self.displacement(point.of, Vec2::new(1.0, 0.0))
-                }
-                Position::Point(point, Axis::Y) if point.to.is_none() => {
-                    self.displacement(point.of, Vec2::new(0.0, 1.0))
+                Position::Point(point, axis) if point.to.is_none() => {
+                    let [along_x, along_y, _] = self.displacement_of(point.of);
+                    Some(if axis == Axis::X { along_x } else { along_y })
                 }
                 Position::Angle(_) | Position::Point(..) => None,
             },
-            [(x, along_x), (y, along_y)] => match (readings[x], readings[y]) {
-                (Position::Point(point, Axis::X), Position::Point(other, Axis::Y))
-                    if point == other && point.to.is_none() =>
-                {
-                    self.displacement(point.of, Vec2::new(along_x, along_y))
-                }
-                _ => None,
-            },
+            [(x, along_x), (y, along_y)] => {
+                let direction = lifted(Vec2::new(along_x, along_y));
+                let first = self.displacement(readings, [x, y])?[0].point()?;
+                Some(PointOutput { direction, ..first }.into())
+            }
             _ => None,
         }
     }
 
-    /// Displacement of a point along a unit vector.
-    fn displacement(&self, point: PointId, direction: Vec2<f64>) -> Option<SpatialOutput> {
+    /// The displacement along x, y and z of the point with its coordinates at two places of the readings. `None` of one that is seen from a body.
+    pub fn displacement(&self, readings: &[Position], [x, y]: [usize; 2]) -> Option<[SpatialOutput; 3]> {
+        match (readings[x], readings[y]) {
+            (Position::Point(point, Axis::X), Position::Point(other, Axis::Y))
+                if point == other && point.to.is_none() =>
+            {
+                Some(self.displacement_of(point.of))
+            }
+            _ => None,
+        }
+    }
+
+    fn displacement_of(&self, point: PointId) -> [SpatialOutput; 3] {
         let model = &self.mechanism.model;
         let layer = Vec3::Z * layer_m(model, self.values, point.body);
-        let point_m = lifted(point_m(model, self.values, point)) + layer;
-        Some(PointOutput { body: point.body.0, point_m, direction: lifted(direction) }.into())
+        SpatialOutput::displacement(point.body.0, lifted(point_m(model, self.values, point)) + layer)
     }
+}
+
+/// Whether a mechanism is asked in space: its plays must meet conditions together, or its pins lean.
+pub(super) fn is_asked_in_space(mechanism: &Mechanism) -> bool {
+    !mechanism.plays.is_empty() && (mechanism.ideal.is_redundant() || mechanism.model.leans)
 }
 
 /// The play of a pin of this radial clearance: in a bearing in which it leans, or upright.
@@ -140,7 +153,8 @@ fn layer_m(model: &Model, values: &Values, body: BodyId) -> f64 {
     model.bodies[body.0].offset_m.map_or(0.0, |id| values[id])
 }
 
-fn lifted(vector: Vec2<f64>) -> Vec3 {
+/// A vector of the plane in space.
+pub(super) fn lifted(vector: Vec2<f64>) -> Vec3 {
     Vec3::new(vector.x, vector.y, 0.0)
 }
 

@@ -18,6 +18,7 @@ mod loops;
 mod motion;
 mod overhang;
 mod path;
+mod play_effect;
 mod play_reach;
 mod position;
 pub use loosepin_result::motion as record;

@@ -6,15 +6,16 @@ use super::cycle_worst_case::{WalkedCycle, add_worst_cases};
 use super::dimension::{DimensionDirection, dimension_direction};
 use super::efforts::ideal_efforts;
 use super::error::AccuracyError;
+use super::in_space::is_asked_in_space;
 use super::loops::DisplacedLoops;
 use super::overhang::{Overhangs, overhanging};
 use super::path::{PathRecorder, points_of_paths, reach_by_gradients_m};
+use super::play_effect::PlayEffect;
 use super::play_reach::PlayReach;
 use super::position::{PositionOutput, position_outputs};
-use super::round_off::drop_round_off;
+use super::round_off::drop_round_off_of;
 use super::sensitivity::{dimension_derivatives, play_gradients};
 use super::together::Together;
-use super::worst_case::{disc_standard_deviation_si, first_order_si, rim_standard_deviation_si};
 use crate::kinematics::{MovedOutput, Walked, kinematic_properties, mechanical_advantages};
 use crate::{add_pose, skeleton};
 use loosepin_math::Vec2;
@@ -185,37 +186,46 @@ fn motion_with(
         add_pose(&mut drawing.poses, &mechanism.ideal, state.kinematics(), angle_rad);
     }
     drawing.ideal_poses = Default::default();
-    let mut proofs = None;
-    let mut unproven_spans = Vec::new();
-    if has_worst_cases && let Some(together) = &recorder.together {
-        let is_stopped = || stop.load(Ordering::Relaxed);
-        let searched = together.search(&cycle.states, &mut recorder.outputs, &is_stopped);
-        go_on()?;
-        unproven_spans = together.unproven_spans(&drive_angle_rad);
-        if let Err(reason) = searched {
-            recorder.forget_play(reason);
+    let (mut unproven_spans, mut is_proven_between_angles) = (Vec::new(), false);
+    let is_stopped = || stop.load(Ordering::Relaxed);
+    match &recorder.plays {
+        Plays::Together(together) if has_worst_cases => {
+            let searched = together.search((&cycle.states, &drive_angle_rad), &mut recorder.outputs, &is_stopped);
+            go_on()?;
+            match searched {
+                Ok(spans) => unproven_spans = spans,
+                Err(reason) => recorder.forget_play(reason),
+            }
         }
-    } else if has_worst_cases && recorder.unknown.is_none() {
-        let walked = WalkedCycle {
-            mechanism,
-            values,
-            sample: &sample,
-            states: &cycle.states,
-            drive_angle_rad: &drive_angle_rad,
-            reaches: &reaches,
-            // Paths of further points have no worst cases.
-            readings: &recorder.readings[..outputs.len()],
-            parts: &recorder.parts,
-            velocities: jets.iter().map(|jets| jets[..outputs.len()].iter().map(|jet| jet[1]).collect()).collect(),
-            overhanging: overhanging_joints,
-            change_points: cycle.change_points(&input),
-        };
-        proofs = add_worst_cases(&walked, &mut recorder.outputs, &|| stop.load(Ordering::Relaxed));
-        go_on()?;
+        Plays::Apart if has_worst_cases => {
+            let walked = WalkedCycle {
+                mechanism,
+                values,
+                sample: &sample,
+                states: &cycle.states,
+                drive_angle_rad: &drive_angle_rad,
+                reaches: &reaches,
+                // Paths of further points have no worst cases.
+                readings: &recorder.readings[..outputs.len()],
+                parts: &recorder.parts,
+                velocities: jets.iter().map(|jets| jets[..outputs.len()].iter().map(|jet| jet[1]).collect()).collect(),
+                overhanging: overhanging_joints,
+                change_points: cycle.change_points(&input),
+            };
+            let proofs = add_worst_cases(&walked, &mut recorder.outputs, &is_stopped);
+            go_on()?;
+            if let Some(proofs) = proofs {
+                (unproven_spans, is_proven_between_angles) = (proofs.unproven_spans, proofs.is_between_angles);
+            }
+        }
+        _ => {}
     }
-    let remarks = recorder.unknown.iter().map(|reason| unknown_words(mechanism, reason)).collect();
+    let remarks = match &recorder.plays {
+        Plays::Unknown(reason) => vec![unknown_words(mechanism, reason)],
+        Plays::Apart | Plays::Together(_) => Vec::new(),
+    };
     let asked = recorder.effects_at(&plan.asked, &Walked { states: &cycle.states, input: &input }, plan.positions);
-    drop_round_off(&mut recorder.outputs, mechanism.size_m);
+    drop_round_off_of(&mut recorder.outputs, mechanism.size_m);
     let moved = recorder.moved_outputs();
     let paths = recorder.paths.into_paths();
     let mut kinematics = kinematic_properties(mechanism, values, &cycle.states, &input);
@@ -230,7 +240,6 @@ fn motion_with(
         };
         kinematics.mechanical_advantages = mechanical_advantages(mechanism, &moved, &walked, &jet);
     }
-    let is_proven_between_angles = proofs.as_ref().is_some_and(|proofs| proofs.is_between_angles);
     Ok(MotionRecord {
         model: mechanism.model.name.clone(),
         version: loosepin_text::VERSION.to_owned(),
@@ -240,7 +249,7 @@ fn motion_with(
         singular_positions: cycle.singular_positions(&input),
         kinematics,
         guide_overhangs: overhangs.into_found(),
-        unproven_spans: proofs.map_or(unproven_spans, |proofs| proofs.unproven_spans),
+        unproven_spans,
         is_proven_between_angles,
         drive: input.name,
         repeat: Repeat::default(),
@@ -321,10 +330,17 @@ struct Recorder<'a> {
     /// Places of two correlated directions, and twice their correlation.
     correlated: Vec<(usize, usize, f64)>,
     outputs: Vec<OutputMotion>,
-    /// Where plays must meet conditions together.
-    together: Option<Together<'a>>,
-    /// Why nothing is known of play, in words.
-    unknown: Option<String>,
+    plays: Plays<'a>,
+}
+
+/// How it is found what play does.
+enum Plays<'a> {
+    /// Each play by itself.
+    Apart,
+    /// As plays must meet conditions together, in space.
+    Together(Together<'a>),
+    /// Not at all, with the reason in words.
+    Unknown(String),
 }
 
 impl<'a> Recorder<'a> {
@@ -353,12 +369,12 @@ impl<'a> Recorder<'a> {
             .collect();
         let speeds = |[x, y]: [usize; 2]| jets.iter().map(|jets| jets[x][1].hypot(jets[y][1])).collect();
         let parts = AccuracyOutput::all(outputs, speeds, round_off_m_s);
-        let must_meet_conditions = mechanism.ideal.is_redundant() || mechanism.model.leans;
-        let is_in_space = must_meet_conditions && !mechanism.plays.is_empty();
-        let (together, unknown) = match is_in_space.then(|| Together::new(mechanism, values, &reaches)) {
-            Some(Ok(together)) => (Some(together), None),
-            Some(Err(reason)) => (None, Some(reason)),
-            None => (None, None),
+        let names = || parts.iter().map(|output| output.name.clone()).collect();
+        let together = || Together::new((mechanism, values), &reaches, names());
+        let plays = match is_asked_in_space(mechanism).then(together) {
+            Some(Ok(together)) => Plays::Together(together),
+            Some(Err(reason)) => Plays::Unknown(reason),
+            None => Plays::Apart,
         };
         let motions = parts.iter().map(|output| OutputMotion {
             name: output.name.clone(),
@@ -385,15 +401,15 @@ impl<'a> Recorder<'a> {
             directions,
             correlated: correlated(directions, &plan.correlations),
             outputs: motions.collect(),
-            together,
-            unknown,
+            plays,
         }
     }
 
     /// Nothing is known of play.
     fn forget_play(&mut self, reason: String) {
-        self.outputs.iter_mut().for_each(|output| output.clearance = ClearanceAnswer::default());
-        (self.together, self.unknown) = (None, Some(reason));
+        self.outputs.iter_mut().for_each(|output| output.clearance.forget());
+        self.paths.forget_play();
+        self.plays = Plays::Unknown(reason);
     }
 
     /// The outputs that move by themselves, then the points of the paths.
@@ -444,37 +460,43 @@ impl<'a> Recorder<'a> {
     }
 
     fn record_play(&mut self, state: &IdealMotion<'_>, effects: &StateEffects, jets: &[[f64; 3]]) {
-        if let Some(together) = &mut self.together {
-            let asked = (self.readings.as_slice(), effects.weights.as_slice());
-            let recorded = together.record(state, asked, (&mut self.paths, jets), &mut self.outputs);
-            let Err(reason) = recorded else { return };
-            self.forget_play(reason);
-        }
-        if self.unknown.is_some() {
-            self.outputs.iter_mut().for_each(|output| output.clearance = ClearanceAnswer::default());
-            // The zone of a path of which nothing is known is no zone.
-            self.paths.record(jets, |_, _| 0.0);
-            return;
-        }
-        for (number, output) in self.outputs.iter_mut().enumerate() {
-            let joints = effects.joints(number, &self.reaches);
-            let answer = &mut output.clearance;
-            answer.first_order_si.push(first_order_si(&joints));
-            answer.disc_standard_deviation_si.push(disc_standard_deviation_si(&joints));
-            answer.rim_standard_deviation_si.push(rim_standard_deviation_si(&joints));
-            for (contributor, joint) in answer.contributors.iter_mut().zip(&joints) {
-                contributor.first_order_si.push(first_order_si(&[*joint]));
+        let not_known = |_: [usize; 2], directions: &[Vec2<f64>]| vec![f64::NAN; directions.len()];
+        let found = match &mut self.plays {
+            Plays::Apart => {
+                let reach_m =
+                    |places, direction| reach_by_gradients_m(&effects.gradients, &self.reaches, places, direction);
+                self.paths.record(jets, |places, directions| {
+                    directions.iter().map(|direction| reach_m(places, *direction)).collect()
+                });
+                let joints = (0..self.outputs.len()).map(|output| effects.joints(output, &self.reaches));
+                Ok(joints.map(|joints| PlayEffect::of_joints(&joints)).collect())
+            }
+            Plays::Together(together) => {
+                let asked = (self.readings.as_slice(), effects.weights.as_slice());
+                together.record(state, asked, (&mut self.paths, jets))
+            }
+            Plays::Unknown(_) => return self.paths.record(jets, not_known),
+        };
+        match found {
+            Ok(found) => {
+                let outputs = self.outputs.iter_mut().zip::<Vec<PlayEffect>>(found);
+                outputs.for_each(|(output, effect)| effect.add_to(&mut output.clearance));
+            }
+            Err(reason) => {
+                self.forget_play(reason);
+                self.paths.record(jets, not_known);
             }
         }
-        let reach_m = |places, direction| reach_by_gradients_m(&effects.gradients, &self.reaches, places, direction);
-        self.paths.record(jets, reach_m);
     }
 
     /// What play and dimensions do at a state, to first order.
     fn effects(&mut self, state: &IdealMotion<'_>, jets: &[[f64; 3]]) -> Result<StateEffects, AccuracyError> {
         let (mechanism, values) = (self.mechanism, self.values);
         self.loops.set_position(state.coordinates());
-        let gradients = play_gradients(&mut self.loops, &self.readings)?;
+        let gradients = match self.plays {
+            Plays::Apart => play_gradients(&mut self.loops, &self.readings)?,
+            Plays::Together(_) | Plays::Unknown(_) => Vec::new(),
+        };
         let velocities: Vec<f64> = jets.iter().map(|jet| jet[1]).collect();
         let weights = self.parts.iter().map(|part| part.weights(&velocities)).collect();
         let (input, time_s) = (self.input, state.time_s());
@@ -489,17 +511,23 @@ impl<'a> Recorder<'a> {
     /// are left out, as are singular ones.
     fn effects_at(&mut self, asked: &[AskedPose], walked: &Walked<'_, '_>, positions: usize) -> Vec<PoseEffect> {
         let mut found = Vec::new();
-        // The plays of a redundant mechanism have no effects one by one.
-        if self.together.is_some() || self.unknown.is_some() {
-            return found;
-        }
         for AskedPose { output, pose_rad, is_required } in asked {
             let Some(number) = self.outputs.iter().position(|own| own.name == *output) else { continue };
             let Some(state) = state_at(walked, *pose_rad, positions) else { continue };
             let jets = jets(self.mechanism, self.values, &self.readings, &state);
             // Nothing is known of first order in a singular position.
             let Ok(effects) = self.effects(&state, &jets) else { continue };
-            let joints = effects.joints(number, &self.reaches);
+            let of_play = match &self.plays {
+                Plays::Apart => Some(PlayEffect::of_joints(&effects.joints(number, &self.reaches))),
+                Plays::Together(together) => {
+                    let all = together.effects(&state, &self.readings, &effects.weights);
+                    all.ok().map(|mut all| all.swap_remove(number))
+                }
+                Plays::Unknown(_) => None,
+            };
+            // Where nothing is known of play.
+            let nothing = || (f64::NAN, Vec::new());
+            let (worst_si, by_joint_si) = of_play.map_or_else(nothing, |own| (own.worst_si, own.by_joint_si));
             let signed_si = effects.signed_si(number, self.directions);
             let own = &self.outputs[number];
             let threshold_si = round_off_si(&own.unit, self.mechanism.size_m);
@@ -507,16 +535,16 @@ impl<'a> Recorder<'a> {
                 let value_si = if value_si < threshold_si { 0.0 } else { value_si };
                 NamedEffect { name: name.clone(), value_si }
             };
-            let of_joints = own.clearance.contributors.iter().zip(&joints);
+            let of_joints = own.clearance.contributors.iter().zip(by_joint_si);
             let of_dimensions = own.dimensional_contributors.iter().zip(&signed_si);
-            let all = effect(output, first_order_si(&joints));
+            let all = effect(output, worst_si);
             let scatter = effect(output, root_sum_of_squares(&signed_si, &self.correlated));
             found.push(PoseEffect {
                 output: output.clone(),
                 pose_rad: *pose_rad,
                 is_required: *is_required,
                 first_order_si: all.value_si,
-                joints: of_joints.map(|(known, joint)| effect(&known.joint, first_order_si(&[*joint]))).collect(),
+                joints: of_joints.map(|(known, effect_si)| effect(&known.joint, effect_si)).collect(),
                 standard_deviation_si: scatter.value_si,
                 dimensions: of_dimensions.map(|(known, signed_si)| effect(&known.path, signed_si.abs())).collect(),
             });

@@ -106,8 +106,8 @@ impl PathRecorder {
     }
 
     /// Takes a position: value, velocity and acceleration of each reading, and how far play takes the point whose coordinates are at two places of
-    /// the readings along a unit vector, m.
-    pub fn record(&mut self, readings: &[[f64; 3]], reach_m: impl Fn([usize; 2], Vec2<f64>) -> f64) {
+    /// the readings along each of some unit vectors, m; not a number where that is not known.
+    pub fn record(&mut self, readings: &[[f64; 3]], reaches_m: impl Fn([usize; 2], &[Vec2<f64>]) -> Vec<f64>) {
         for RecordedPath { places: [x, y], path, .. } in &mut self.paths {
             for (list, value) in
                 [&mut path.x_m, &mut path.velocity_x_m_s, &mut path.acceleration_x_m_s2].into_iter().zip(readings[*x])
@@ -119,17 +119,30 @@ impl PathRecorder {
             {
                 list.push(value);
             }
-            let reach_m = |direction: Vec2<f64>| reach_m([*x, *y], direction);
-            path.play_reach_m.extend(self.directions.iter().map(|direction| reach_m(*direction)));
+            let reaches_m = |directions: &[Vec2<f64>]| reaches_m([*x, *y], directions);
+            path.play_reach_m.extend(reaches_m(&self.directions));
             let position = path.play_along_m.len();
             let [along_m, across_m] = if path.stands_still(position) {
-                [self.all_round.iter().map(|direction| reach_m(*direction)).fold(0.0, f64::max); 2]
+                // In this order what is not a number is the largest.
+                [reaches_m(&self.all_round).into_iter().max_by(f64::total_cmp).unwrap_or(f64::NAN); 2]
             } else {
                 let tangent = Vec2::new(path.tangent_x[position], path.tangent_y[position]);
-                [reach_m(tangent), reach_m(Vec2::new(-tangent.y, tangent.x))]
+                let reaches_m = reaches_m(&[tangent, Vec2::new(-tangent.y, tangent.x)]);
+                [reaches_m[0], reaches_m[1]]
             };
             path.play_along_m.push(along_m);
             path.play_across_m.push(across_m);
+        }
+    }
+
+    /// Nothing is known of play, nor was it in the positions so far.
+    pub fn forget_play(&mut self) {
+        for RecordedPath { path, .. } in &mut self.paths {
+            path.play_reach_m
+                .iter_mut()
+                .chain(&mut path.play_along_m)
+                .chain(&mut path.play_across_m)
+                .for_each(|reach_m| *reach_m = f64::NAN);
         }
     }
 

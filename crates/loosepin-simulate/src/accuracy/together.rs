@@ -1,44 +1,64 @@
 //! What play does where plays must meet conditions together: position by position to first order, and searches in the worst positions.
 
-use super::in_space::InSpace;
+use super::in_space::{InSpace, lifted};
 use super::path::PathRecorder;
+use super::play_effect::PlayEffect;
 use super::play_reach::PlayReach;
 use loosepin_math::Vec2;
 use loosepin_mechanics::mechanism::{IdealMotion, Mechanism};
 use loosepin_mechanics::model::{Position, Values};
-use loosepin_result::motion::{ClearanceAnswer, OutputMotion, SearchedPosition, UnprovenSpan};
-use loosepin_space::{PlayDistribution, PoseAccuracy, SearchOptions, SpatialOutput, dead_centre_spans};
-
-/// Relative difference of effects that is round-off.
-const SAME: f64 = 1e-9;
+use loosepin_result::motion::{OutputMotion, UnprovenSpan};
+use loosepin_space::{
+    AccuracyError, PlayDistribution, PoseAccuracy, SpatialOutput, Worst, WorstPlaces, dead_centre_spans,
+};
 
 /// Places of the readings that an output is made of, and their weights.
 type Weights = Vec<(usize, f64)>;
 
-/// Fills the answers of a mechanism in space.
+/// Asks a mechanism in space what play does.
 pub(super) struct Together<'a> {
     space: InSpace<'a>,
     /// The same with pins that do not lean, where they do.
     held: Option<InSpace<'a>>,
+    /// Names of the outputs.
+    names: Vec<String>,
     /// Whether play reaches a dead centre, at each position so far.
     dead_centres: Vec<bool>,
-    /// What each output is at each position so far.
-    outputs: Vec<Vec<SpatialOutput>>,
+    /// Where each output is to be searched.
+    worst: Vec<WorstPlaces<SpatialOutput>>,
 }
 
 impl<'a> Together<'a> {
-    /// Of a mechanism with these plays.
+    /// Of a mechanism with these plays and outputs of these names.
     ///
     /// # Errors
     /// Why it cannot be laid into space, in words.
-    pub fn new(mechanism: &'a Mechanism, values: &'a Values, reaches: &[PlayReach]) -> Result<Self, String> {
+    pub fn new(
+        (mechanism, values): (&'a Mechanism, &'a Values),
+        reaches: &[PlayReach],
+        names: Vec<String>,
+    ) -> Result<Self, String> {
         let leans = mechanism.model.leans;
-        let held = leans.then(|| InSpace::new(mechanism, values, reaches, false)).transpose()?;
         let space = InSpace::new(mechanism, values, reaches, leans)?;
-        Ok(Self { space, held, dead_centres: Vec::new(), outputs: Vec::new() })
+        let held = leans.then(|| InSpace::new(mechanism, values, reaches, false)).transpose()?;
+        Ok(Self { space, held, dead_centres: Vec::new(), worst: vec![WorstPlaces::default(); names.len()], names })
     }
 
-    /// Takes a state: weights of the readings in each output there, and the values of the readings for the paths.
+    /// What play does to each output in a state, with the weights of the readings in each there.
+    ///
+    /// # Errors
+    /// Why nothing is known, in words.
+    pub fn effects(
+        &self,
+        state: &IdealMotion<'_>,
+        readings: &[Position],
+        weights: &[Weights],
+    ) -> Result<Vec<PlayEffect>, String> {
+        let effects = asked(&self.space, state, |accuracy| self.effects_of(accuracy, readings, weights))?;
+        self.with_held(state, (readings, weights), effects.into_iter().map(|(_, effect)| effect).collect())
+    }
+
+    /// Takes the next state: what play does to each output, and how far it takes the points of the paths, whose readings move with `jets`.
     ///
     /// # Errors
     /// Why nothing is known, in words.
@@ -47,117 +67,124 @@ impl<'a> Together<'a> {
         state: &IdealMotion<'_>,
         (readings, weights): (&[Position], &[Weights]),
         (paths, jets): (&mut PathRecorder, &[[f64; 3]]),
-        outputs: &mut [OutputMotion],
-    ) -> Result<(), String> {
-        let (mechanism, position) = self.space.at(state)?;
-        let accuracy = PoseAccuracy::new(&mechanism, &position).map_err(|error| error.to_string())?;
-        if let Some(held) = &self.held {
-            record_held(held, state, (readings, weights), outputs)?;
-        }
-        let mut own = Vec::with_capacity(weights.len());
-        for (weights, motion) in weights.iter().zip(outputs) {
-            let output = self.space.output(readings, weights);
-            let output = output.ok_or_else(|| format!("output '{}' is seen from a body", motion.name))?;
-            let gains = accuracy.gains(&output).map_err(|error| error.to_string())?;
-            let first_order = accuracy.first_order(&gains).map_err(|error| error.to_string())?;
-            let answer = &mut motion.clearance;
-            answer.first_order_si.push(first_order.worst);
-            let deviation = |places: PlayDistribution| accuracy.standard_deviation(&gains, places);
-            answer.disc_standard_deviation_si.extend(deviation(PlayDistribution::Inside));
-            answer.rim_standard_deviation_si.extend(deviation(PlayDistribution::OnTheRim));
-            for (contributor, joint) in answer.contributors.iter_mut().zip(self.space.joint_of_play()) {
-                contributor.first_order_si.push(first_order.by_joint[*joint]);
+    ) -> Result<Vec<PlayEffect>, String> {
+        let (found, nearness) = asked(&self.space, state, |accuracy| {
+            let found = self.effects_of(accuracy, readings, weights)?;
+            paths.record(jets, |places, directions| {
+                let reaches_m = self.reaches_m(accuracy, readings, places, directions);
+                reaches_m.unwrap_or_else(|| vec![f64::NAN; directions.len()])
+            });
+            Ok((found, accuracy.dead_centre_nearness()))
+        })?;
+        let position = self.dead_centres.len();
+        self.dead_centres.push(nearness.is_reached);
+        let mut effects = Vec::with_capacity(found.len());
+        for (worst, (output, effect)) in self.worst.iter_mut().zip(found) {
+            // What play does not move is not searched.
+            if effect.worst_si > 0.0 {
+                worst.add(position, effect.worst_si, !nearness.is_near, &output);
             }
-            own.push(output);
+            effects.push(effect);
         }
-        let reach_m = |[x, y]: [usize; 2], direction: Vec2<f64>| -> f64 {
-            let output = self.space.output(readings, &[(x, direction.x), (y, direction.y)]);
-            let gains = output.and_then(|output| accuracy.gains(&output).ok());
-            gains.and_then(|gains| accuracy.first_order(&gains).ok()).map_or(f64::INFINITY, |found| found.worst)
-        };
-        paths.record(jets, reach_m);
-        self.dead_centres.push(accuracy.reaches_dead_centre());
-        self.outputs.push(own);
-        Ok(())
+        self.with_held(state, (readings, weights), effects)
     }
 
-    /// Searches the worst positions of each output, with the loops closed exactly: that where the first order is largest, and, if play reaches a dead
-    /// centre there, that of the positions in which it reaches none.
+    /// Searches the worst positions of each output, with the loops closed exactly: that where the first order is largest, and, if play comes near a dead
+    /// centre there, that of the positions in which it comes near none. Says in which spans play reaches a dead centre.
     ///
     /// # Errors
     /// Why nothing is known, in words.
     pub fn search(
         &self,
-        states: &[IdealMotion<'_>],
+        (states, angles_rad): (&[IdealMotion<'_>], &[f64]),
         outputs: &mut [OutputMotion],
         is_stopped: &dyn Fn() -> bool,
-    ) -> Result<(), String> {
-        for (number, motion) in outputs.iter_mut().enumerate() {
-            let answer = &motion.clearance;
-            let worst = largest(answer, |_| true);
-            let regular = largest(answer, |position| !self.dead_centres[position]);
-            let other =
-                regular.filter(|position| worst.is_some_and(|worst| self.dead_centres[worst] && worst != *position));
-            let places = worst.into_iter().chain(other);
-            let searched = places.map(|position| self.searched(&states[position], position, number, is_stopped));
+    ) -> Result<Vec<UnprovenSpan>, String> {
+        for (worst, motion) in self.worst.iter().zip(outputs) {
+            let searched = worst.searched().map(|Worst { position, place: output, .. }| {
+                asked(&self.space, &states[*position], |accuracy| {
+                    accuracy.searched(*position, output, true, is_stopped).map_err(words)
+                })
+            });
             motion.clearance.searched = searched.collect::<Result<_, _>>()?;
         }
-        Ok(())
+        Ok(dead_centre_spans(angles_rad, &self.dead_centres))
     }
 
-    fn searched(
+    /// The effects in a state with those of pins that do not lean, where they do.
+    fn with_held(
         &self,
         state: &IdealMotion<'_>,
-        position: usize,
-        output: usize,
-        is_stopped: &dyn Fn() -> bool,
-    ) -> Result<SearchedPosition, String> {
-        let (mechanism, closed) = self.space.at(state)?;
-        let accuracy = PoseAccuracy::new(&mechanism, &closed).map_err(|error| error.to_string())?;
-        let output = &self.outputs[position][output];
-        let exact = accuracy.worst_case_until(output, &SearchOptions::default(), is_stopped);
-        let exact = exact.map_err(|error| error.to_string())?;
-        let proven = accuracy.proven_end(output).map(|ends| [ends.smallest, ends.largest]);
-        Ok(SearchedPosition {
-            position,
-            found_si: [exact.smallest.deviation, exact.largest.deviation],
-            proven_si: Some(proven.unwrap_or([f64::NEG_INFINITY, f64::INFINITY])),
-            conditions: accuracy.conditions(),
-        })
+        (readings, weights): (&[Position], &[Weights]),
+        mut effects: Vec<PlayEffect>,
+    ) -> Result<Vec<PlayEffect>, String> {
+        let Some(held) = &self.held else { return Ok(effects) };
+        let worst_si = |accuracy: &PoseAccuracy<'_>, weights: &Weights, name: &str| -> Result<f64, String> {
+            let gains = accuracy.gains(&self.output(readings, weights, name)?).map_err(words)?;
+            Ok(accuracy.first_order(&gains).map_err(words)?.worst)
+        };
+        asked(held, state, |accuracy| {
+            for ((effect, weights), name) in effects.iter_mut().zip(weights).zip(&self.names) {
+                effect.held_si = Some(worst_si(accuracy, weights, name)?);
+            }
+            Ok(())
+        })?;
+        Ok(effects)
     }
 
-    /// Positions in a row in which play reaches a dead centre.
-    pub fn unproven_spans(&self, angles_rad: &[f64]) -> Vec<UnprovenSpan> {
-        dead_centre_spans(angles_rad, &self.dead_centres)
+    /// What an output is in space, held or not.
+    fn output(&self, readings: &[Position], weights: &Weights, name: &str) -> Result<SpatialOutput, String> {
+        self.space.output(readings, weights).ok_or_else(|| format!("output '{name}' is seen from a body"))
+    }
+
+    fn effects_of(
+        &self,
+        accuracy: &PoseAccuracy<'_>,
+        readings: &[Position],
+        weights: &[Weights],
+    ) -> Result<Vec<(SpatialOutput, PlayEffect)>, String> {
+        let effect = |(weights, name): (&Weights, &String)| {
+            let output = self.output(readings, weights, name)?;
+            let gains = accuracy.gains(&output).map_err(words)?;
+            let first_order = accuracy.first_order(&gains).map_err(words)?;
+            let effect = PlayEffect {
+                worst_si: first_order.worst,
+                by_joint_si: self.space.joint_of_play().iter().map(|joint| first_order.by_joint[*joint]).collect(),
+                disc_standard_deviation_si: accuracy.standard_deviation(&gains, PlayDistribution::Inside),
+                rim_standard_deviation_si: accuracy.standard_deviation(&gains, PlayDistribution::OnTheRim),
+                held_si: None,
+            };
+            Ok((output, effect))
+        };
+        weights.iter().zip(&self.names).map(effect).collect()
+    }
+
+    /// How far play takes the point with its coordinates at two places of the readings along unit vectors, m.
+    fn reaches_m(
+        &self,
+        accuracy: &PoseAccuracy<'_>,
+        readings: &[Position],
+        places: [usize; 2],
+        directions: &[Vec2<f64>],
+    ) -> Option<Vec<f64>> {
+        let components = self.space.displacement(readings, places)?;
+        let gains = components.iter().map(|output| accuracy.gains(output)).collect::<Result<Vec<_>, _>>().ok()?;
+        let directions: Vec<_> = directions.iter().copied().map(lifted).collect();
+        let farthest = accuracy.farthest(&gains, &directions).ok()?;
+        Some(farthest.iter().zip(&directions).map(|(farthest, direction)| farthest.dot(*direction)).collect())
     }
 }
 
-/// Takes a state with pins that do not lean.
-fn record_held(
-    held: &InSpace<'_>,
+/// Asks a mechanism in space where it is in a state.
+fn asked<T>(
+    space: &InSpace<'_>,
     state: &IdealMotion<'_>,
-    (readings, weights): (&[Position], &[Weights]),
-    outputs: &mut [OutputMotion],
-) -> Result<(), String> {
-    let (mechanism, position) = held.at(state)?;
-    let accuracy = PoseAccuracy::new(&mechanism, &position).map_err(|error| error.to_string())?;
-    for (weights, motion) in weights.iter().zip(outputs) {
-        let output = held.output(readings, weights);
-        let output = output.ok_or_else(|| format!("output '{}' is seen from a body", motion.name))?;
-        let gains = accuracy.gains(&output).map_err(|error| error.to_string())?;
-        let first_order = accuracy.first_order(&gains).map_err(|error| error.to_string())?;
-        motion.clearance.held_first_order_si.push(first_order.worst);
-    }
-    Ok(())
+    question: impl FnOnce(&PoseAccuracy<'_>) -> Result<T, String>,
+) -> Result<T, String> {
+    let (mechanism, position) = space.at(state)?;
+    question(&PoseAccuracy::new(&mechanism, &position).map_err(words)?)
 }
 
-/// The position of the largest effect of first order, the first of several alike; `None` where play moves nothing.
-fn largest(answer: &ClearanceAnswer, is_asked: impl Fn(usize) -> bool) -> Option<usize> {
-    let mut found: Option<(usize, f64)> = None;
-    for (position, &effect_si) in answer.first_order_si.iter().enumerate().filter(|(position, _)| is_asked(*position)) {
-        if effect_si > found.map_or(0.0, |(_, known)| known * (1.0 + SAME)) {
-            found = Some((position, effect_si));
-        }
-    }
-    found.map(|(position, _)| position)
+fn words(error: AccuracyError) -> String {
+    error.to_string()
 }

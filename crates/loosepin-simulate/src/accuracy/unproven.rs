@@ -11,6 +11,8 @@ use std::f64::consts::TAU;
 pub(super) enum Cause {
     /// Joints repeat each other.
     Redundant,
+    /// Pins lean out of the plane.
+    Lean,
     /// The block of this joint may overhang its guide.
     Overhanging(String),
     /// The loops were not shown to be regular.
@@ -94,6 +96,7 @@ impl UnprovenPositions<'_> {
     fn words(&self, cause: &Cause, near: Option<(f64, SingularKind)>) -> String {
         match cause {
             Cause::Redundant => "joints are redundant, and the play determines which of them carry the load".to_owned(),
+            Cause::Lean => "pins lean out of the plane, which the proof does not know".to_owned(),
             Cause::Overhanging(joint) => format!("the block of '{joint}' may overhang an end of its guide"),
             Cause::Loops(NotProven { coordinate, reaches_dead_centre }) => {
                 let near = near.map(|(at_rad, kind)| {

@@ -50,6 +50,15 @@ const NEARLY_NONE: f64 = 1e-2;
 /// Half of the way along w over which c is a difference, lengths over L and rad.
 const DIFFERENCE: f64 = 1e-4;
 
+/// How near to a dead centre play takes the loops.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct DeadCentreNearness {
+    /// Whether a place of the journals was found that takes them there: see [`PoseAccuracy::reaches_dead_centre`].
+    pub is_reached: bool,
+    /// Whether it is reached, or would be as far as second derivatives in the ideal position tell.
+    pub is_near: bool,
+}
+
 /// A position on the branch that is next to a dead centre, and the one across from it.
 pub(crate) struct DeadCentre {
     /// A place of the journals, in units of the radii.
@@ -87,15 +96,33 @@ impl PoseAccuracy<'_> {
         self.dead_centre().is_some()
     }
 
+    /// How near to a dead centre play takes the loops.
+    pub fn dead_centre_nearness(&self) -> DeadCentreNearness {
+        let Some((middle, fold)) = self.middle_and_fold() else {
+            return DeadCentreNearness { is_reached: false, is_near: true };
+        };
+        let is_far = fold.largest_share(&self.set) < 1.0;
+        let is_reached = self.dead_centre_from(middle, fold).is_some();
+        DeadCentreNearness { is_reached, is_near: is_reached || !is_far }
+    }
+
     /// The largest -2 s·p over σ in the ideal position, over all p of the plays: at 1 they reach the dead centre, as far as second derivatives tell.
     pub(crate) fn dead_centre_share(&self) -> f64 {
-        let ideal = self.placed(vec![0.0; self.set.variables()], self.ideal_start());
-        ideal.map_or(f64::INFINITY, |ideal| self.fold(&ideal).largest_share(&self.set))
+        self.middle_and_fold().map_or(f64::INFINITY, |(_, fold)| fold.largest_share(&self.set))
     }
 
     pub(crate) fn dead_centre(&self) -> Option<DeadCentre> {
+        let (middle, fold) = self.middle_and_fold()?;
+        self.dead_centre_from(middle, fold)
+    }
+
+    fn middle_and_fold(&self) -> Option<(Placed, Fold)> {
         let middle = self.placed(vec![0.0; self.set.variables()], self.ideal_start())?;
         let fold = self.fold(&middle);
+        Some((middle, fold))
+    }
+
+    fn dead_centre_from(&self, middle: Placed, fold: Fold) -> Option<DeadCentre> {
         // Without the conditions first: most mechanisms are far from it.
         if !(fold.largest_share(&self.set) > FAR) {
             return None;

@@ -29,13 +29,15 @@ pub struct JournalGain {
 }
 
 impl Gains {
+    /// The block of a part of the play of a joint.
+    pub(crate) fn block(&self, joint: usize, is_it: &dyn Fn(PlayPart) -> bool) -> Option<&PlacedBlock> {
+        self.blocks.iter().find(|block| block.joint == joint && is_it(block.part))
+    }
+
     /// The gains of a joint with a bearing of length l, in terms of e = (u1 + u2)/2 and w = (u2 - u1)/l: g_e = g_1 + g_2,
     /// g_w = (g_2 - g_1) l/2. `None` for joints without end planes.
     pub fn journal(&self, joint: usize, bearing_length_m: f64) -> Option<JournalGain> {
-        let of = |is_it: &dyn Fn(PlayPart) -> bool| {
-            let block = self.blocks.iter().find(|block| block.joint == joint && is_it(block.part))?;
-            self.by_play.get(block.range())
-        };
+        let of = |is_it: &dyn Fn(PlayPart) -> bool| self.by_play.get(self.block(joint, is_it)?.range());
         let of_end = |plane: usize| of(&|part| part.end_plane() == Some(plane));
         let (&[x1, y1], &[x2, y2]) = (of_end(0)?, of_end(1)?) else { return None };
         let half = 0.5 * bearing_length_m;

@@ -1,10 +1,12 @@
 //! The largest length of an output that is a vector.
 
 use crate::accuracy::error::AccuracyError;
+use crate::accuracy::first_order::FirstOrder;
 use crate::accuracy::gains::Gains;
 use crate::accuracy::linear::vectors::dot;
 use crate::accuracy::pose_accuracy::PoseAccuracy;
 use crate::accuracy::vector_reach::VectorReach;
+use loosepin_math::Vec3;
 
 /// Directions from which a search starts, over half of the sphere.
 const STARTS: usize = 64;
@@ -30,7 +32,42 @@ pub struct LargestNorm {
     pub variables_m: Vec<f64>,
 }
 
+/// The largest deviation of an output that may be a vector.
+pub(crate) struct Longest {
+    /// Its size; of a vector the longest that a search over directions found.
+    pub size: f64,
+    /// Gains of the output, or of a vector those of its component along the direction in which it is longest.
+    pub along: Gains,
+    /// The worst case of these.
+    pub first_order: FirstOrder,
+}
+
 impl PoseAccuracy<'_> {
+    /// The largest deviation to first order of an output that has these components.
+    ///
+    /// # Errors
+    ///
+    /// As for [`Self::largest_norm`]; [`AccuracyError::OutputDoesNotFit`] without components.
+    pub(crate) fn longest(&self, components: &[Gains]) -> Result<Longest, AccuracyError> {
+        let [first, others @ ..] = components else { return Err(AccuracyError::OutputDoesNotFit) };
+        if others.is_empty() {
+            let first_order = self.first_order(first)?;
+            return Ok(Longest { size: first_order.worst, along: first.clone(), first_order });
+        }
+        let longest = self.largest_norm(components)?;
+        // Components of a rotation are about x, y and z.
+        let axes = components.iter().zip(Vec3::AXES);
+        let axes = axes.map(|(own, axis)| own.output.point().map_or(axis, |own| own.direction));
+        let direction = axes.zip(&longest.direction).fold(Vec3::ZERO, |sum, (axis, share)| sum + axis * *share);
+        // What nothing moves is as long in each direction.
+        let along = match direction.normalised() {
+            Some(direction) => first.output.component(direction).ok_or(AccuracyError::OutputDoesNotFit)?,
+            None => first.output,
+        };
+        let along = self.gains(&along)?;
+        Ok(Longest { size: longest.largest, first_order: self.first_order(&along)?, along })
+    }
+
     /// The largest length of the vector with these components, up to three, to first order: across a path with those along its normal and its
     /// binormal.
     ///

@@ -1,18 +1,14 @@
 //! What play does to an output, position by position: worst case of first order, who contributes, and the positions that are searched.
 
-use crate::accuracy::{AccuracyError, FirstOrder, Gains, PlayDistribution, PoseAccuracy, SearchOptions};
+use crate::accuracy::{AccuracyError, FirstOrder, Gains, Longest, PlayDistribution, PoseAccuracy, Worst, WorstPlaces};
 use crate::kind::SpatialPlay;
 use crate::mechanism::joint::Joint;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
 use crate::output::SpatialOutput;
 use crate::play::block::PlayPart;
 use crate::stop::IsStopped;
-use loosepin_math::Vec3;
-use loosepin_result::motion::{ClearanceAnswer, JointContributor, SearchedPosition};
+use loosepin_result::motion::{ClearanceAnswer, JointContributor};
 use std::rc::Rc;
-
-/// Relative difference of worst cases that is round-off.
-const SAME: f64 = 1e-9;
 
 /// Whether play moves the journal of a joint; a clearance of zero moves nothing.
 pub(super) fn has_play(joint: &Joint) -> bool {
@@ -33,31 +29,14 @@ pub(super) struct Course<'a> {
     variances: Vec<f64>,
     /// Joints with play, by their numbers.
     contributors: Vec<(usize, JointContributor)>,
-    /// The position with the largest worst case of first order.
-    worst: Option<Worst<'a>>,
-    /// That of the positions in which play comes near no dead centre.
-    worst_regular: Option<Worst<'a>>,
+    worst: WorstPlaces<Place<'a>>,
 }
 
-/// The largest worst case of first order so far.
-pub(super) struct Worst<'a> {
-    /// Number of the position.
-    pub position: usize,
+/// A position in which an output may be searched.
+#[derive(Clone)]
+pub(super) struct Place<'a> {
     pub accuracy: Rc<PoseAccuracy<'a>>,
-    size: f64,
-    /// What it is of.
-    along: SpatialOutput,
-}
-
-/// The worst case of first order in one position.
-struct AtPosition {
-    first_order: FirstOrder,
-    gains: Gains,
-    /// Its size; of a vector the longest that a search over directions found.
-    size: f64,
-    /// Where there is a closed form.
-    variance: Option<f64>,
-    /// What it is of: of a vector its component along the direction in which it is longest.
+    /// What is searched: of a vector its component along the direction in which it is longest.
     along: SpatialOutput,
 }
 
@@ -74,8 +53,7 @@ impl<'a> Course<'a> {
             first_order_si: Vec::new(),
             variances: Vec::new(),
             contributors: joints.map(|(number, joint)| (number, contributor(joint))).collect(),
-            worst: None,
-            worst_regular: None,
+            worst: WorstPlaces::default(),
         }
     }
 
@@ -84,30 +62,25 @@ impl<'a> Course<'a> {
     }
 
     /// The position with the largest worst case of first order.
-    pub fn worst(&self) -> Option<&Worst<'a>> {
-        self.worst.as_ref()
+    pub fn worst(&self) -> Option<&Worst<Place<'a>>> {
+        self.worst.worst()
     }
 
     /// Adds the next position. Play comes near no dead centre in one that is regular.
     pub fn add(&mut self, accuracy: &Rc<PoseAccuracy<'a>>, is_regular: bool) -> Result<(), AccuracyError> {
         let position = self.first_order_si.len();
-        let AtPosition { first_order, gains, size, variance, along } = at_position(accuracy, &self.components)?;
+        let gains = self.components.iter().map(|output| accuracy.gains(output)).collect::<Result<Vec<Gains>, _>>()?;
+        let deviation = |gains: &Gains| accuracy.standard_deviation(gains, PlayDistribution::Inside);
+        self.variances.extend(gains.iter().map(|own| deviation(own).map(|own| own * own)).sum::<Option<f64>>());
+        let Longest { size, along, first_order } = accuracy.longest(&gains)?;
         self.first_order_si.push(size);
-        self.variances.extend(variance);
-        let by_play = conditioned(accuracy, &gains, &first_order);
+        let by_play = conditioned(accuracy, &along, &first_order);
         for (joint, known) in &mut self.contributors {
-            add_effects(known, *joint, &gains, &by_play);
+            add_effects(known, *joint, &along, &by_play);
             known.first_order_si.push(first_order.by_joint.get(*joint).copied().unwrap_or_default());
         }
-        // Round-off decides nothing: the first of several alike.
-        let is_worse = |known: &Option<Worst<'_>>| known.as_ref().is_none_or(|known| size > known.size * (1.0 + SAME));
-        let worst = || Worst { position, size, along, accuracy: Rc::clone(accuracy) };
-        if is_worse(&self.worst) {
-            self.worst = Some(worst());
-        }
-        if is_regular && is_worse(&self.worst_regular) {
-            self.worst_regular = Some(worst());
-        }
+        let place = Place { accuracy: Rc::clone(accuracy), along: along.output };
+        self.worst.add(position, size, is_regular, &place);
         Ok(())
     }
 
@@ -116,9 +89,12 @@ impl<'a> Course<'a> {
         if self.contributors.is_empty() {
             return Ok(self.unsearched());
         }
-        let worst = self.worst.as_ref().ok_or(AccuracyError::NotAPosition)?;
-        let other = self.worst_regular.as_ref().filter(|regular| regular.position != worst.position);
-        let searched = [Some(worst), other].into_iter().flatten().map(|place| place.searched(is_proven, is_stopped));
+        if self.worst.worst().is_none() {
+            return Err(AccuracyError::NotAPosition);
+        }
+        let searched = self.worst.searched().map(|Worst { position, place, .. }| {
+            place.accuracy.searched(*position, &place.along, is_proven, is_stopped)
+        });
         let searched = searched.collect::<Result<Vec<_>, _>>()?;
         Ok(ClearanceAnswer { searched, ..self.unsearched() })
     }
@@ -138,37 +114,6 @@ impl<'a> Course<'a> {
     }
 }
 
-impl Worst<'_> {
-    fn searched(&self, is_proven: bool, is_stopped: IsStopped) -> Result<SearchedPosition, AccuracyError> {
-        let exact = self.accuracy.worst_case_until(&self.along, &SearchOptions::default(), is_stopped)?;
-        let proven = || self.accuracy.proven_end(&self.along).map(|ends| [ends.smallest, ends.largest]);
-        Ok(SearchedPosition {
-            position: self.position,
-            found_si: [exact.smallest.deviation, exact.largest.deviation],
-            proven_si: is_proven.then(|| proven().unwrap_or([f64::NEG_INFINITY, f64::INFINITY])),
-            conditions: self.accuracy.conditions(),
-        })
-    }
-}
-
-fn at_position(accuracy: &PoseAccuracy<'_>, components: &[SpatialOutput]) -> Result<AtPosition, AccuracyError> {
-    let gains = components.iter().map(|output| accuracy.gains(output)).collect::<Result<Vec<Gains>, _>>()?;
-    let deviation = |gains: &Gains| accuracy.standard_deviation(gains, PlayDistribution::Inside);
-    let variance = gains.iter().map(|own| deviation(own).map(|own| own * own)).sum::<Option<f64>>();
-    if let [output] = *components
-        && let Some(gains) = gains.first().cloned()
-    {
-        let first_order = accuracy.first_order(&gains)?;
-        return Ok(AtPosition { size: first_order.worst, first_order, gains, variance, along: output });
-    }
-    let longest = accuracy.largest_norm(&gains)?;
-    let direction = <[f64; 3]>::try_from(longest.direction).map_or(None, |n| Vec3::from(n).normalised());
-    let along = components.first().and_then(|first| first.component(direction.unwrap_or(Vec3::X)));
-    let along = along.ok_or(AccuracyError::OutputDoesNotFit)?;
-    let gains = accuracy.gains(&along)?;
-    Ok(AtPosition { first_order: accuracy.first_order(&gains)?, gains, size: longest.largest, variance, along })
-}
-
 /// Gains by variables of play: g + λ·h in place of g, where the plays must meet conditions together.
 fn conditioned(accuracy: &PoseAccuracy<'_>, gains: &Gains, first_order: &FirstOrder) -> Vec<f64> {
     let mut by_play = gains.by_play.clone();
@@ -181,7 +126,7 @@ fn conditioned(accuracy: &PoseAccuracy<'_>, gains: &Gains, first_order: &FirstOr
 /// Adds what an offset, a lean and the axial clearance of a joint do alone.
 fn add_effects(known: &mut JointContributor, joint: usize, gains: &Gains, by_play: &[f64]) {
     let of = |is_it: &dyn Fn(PlayPart) -> bool| {
-        let block = gains.blocks.iter().find(|block| block.joint == joint && is_it(block.part))?;
+        let block = gains.block(joint, is_it)?;
         Some((by_play.get(block.range())?, block.radius))
     };
     let of_end = |plane: usize| of(&|part| part.end_plane() == Some(plane));

@@ -6,8 +6,8 @@ use super::drawn::Trace;
 use super::marker::PointId;
 use super::parts::{ModelCycleSpan, ModelOutput, SpatialModel};
 use super::problem::SpatialMotionProblem;
-use super::round_off::drop_round_off;
-use crate::accuracy::{AccuracyError, PoseAccuracy};
+use super::round_off::drop_round_off_of_output;
+use crate::accuracy::{AccuracyError, DeadCentreNearness, PoseAccuracy};
 use crate::closure::assembly::Starts;
 use crate::closure::cycle::{Cycle, cycle_from};
 use crate::closure::error::ClosureError;
@@ -22,6 +22,7 @@ use loosepin_math::Pose;
 use loosepin_result::kinematics::KinematicProperties;
 use loosepin_result::motion::{ClearanceAnswer, MotionRecord, OTHER_START, OutputMotion, UnprovenSpan};
 use loosepin_result::repeat::{InputRole, Repeat};
+use loosepin_result::round_off::round_off_si;
 use loosepin_result::simulation::Drawing;
 use loosepin_result::spatial_picture::SpatialPicture;
 use loosepin_text::VERSION;
@@ -32,32 +33,20 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use std::rc::Rc;
 
 impl SpatialModel {
-    /// Moves the mechanism over its turn. Ends of worst cases are not proven: see [`SpatialModel::motion_record_until`].
+    /// Moves the mechanism over its turn. Ends of worst cases are not proven: see [`SpatialModel::motion_with_paths_until`].
     ///
     /// # Errors
     /// What [`SpatialModel::mechanism`] and [`SpatialModel::cycle_input`] refuse; loops that do not close; positions in which an output has no
     /// answer.
     pub fn motion_record(&self, values: &Values) -> Result<MotionRecord, Diagnostics> {
-        self.motion_record_until(values, false, NEVER)
+        self.motion_with_paths_until(values, &[], false, NEVER)
     }
 
-    /// The same, until it is stopped; with proven ends of the worst case of each output on demand, which take a tenth of a second each and more.
+    /// The same, until it is stopped, with the paths of further points, and what play makes of them to first order; with proven ends of the worst case
+    /// of each output on demand, which take a tenth of a second each and more.
     ///
     /// # Errors
-    /// As for [`SpatialModel::motion_record`]; that it was stopped.
-    pub fn motion_record_until(
-        &self,
-        values: &Values,
-        is_proven: bool,
-        is_stopped: IsStopped,
-    ) -> Result<MotionRecord, Diagnostics> {
-        self.motion_with_paths_until(values, &[], is_proven, is_stopped)
-    }
-
-    /// The same with the paths of further points, and what play makes of them to first order.
-    ///
-    /// # Errors
-    /// As for [`SpatialModel::motion_record_until`]; positions in which a path has no answer.
+    /// As for [`SpatialModel::motion_record`]; positions in which a path has no answer; that it was stopped.
     pub fn motion_with_paths_until(
         &self,
         values: &Values,
@@ -85,11 +74,10 @@ impl SpatialModel {
             let at = input.at(position.input);
             let accuracy = PoseAccuracy::new(&mechanism, position).map_err(|error| self.no_answer("", at, error))?;
             let accuracy = Rc::new(accuracy);
-            let reaches_dead_centre = has_play && accuracy.reaches_dead_centre();
-            let is_regular = !reaches_dead_centre && (!has_play || accuracy.dead_centre_share() < 1.0);
-            dead_centres.push(reaches_dead_centre);
+            let nearness = if has_play { accuracy.dead_centre_nearness() } else { DeadCentreNearness::default() };
+            dead_centres.push(nearness.is_reached);
             for (course, output) in courses.iter_mut().zip(&self.outputs) {
-                course.add(&accuracy, is_regular).map_err(|error| self.no_answer(&output.name, at, error))?;
+                course.add(&accuracy, !nearness.is_near).map_err(|error| self.no_answer(&output.name, at, error))?;
             }
             paths.add(&mechanism, &accuracy).map_err(|(path, error)| self.no_path(&path, at, error))?;
             poses.push(accuracy.position().poses.clone());
@@ -101,7 +89,7 @@ impl SpatialModel {
             let worst = point.output.and_then(|output| courses.get(output)).and_then(Course::worst);
             if let Some(worst) = worst.filter(|worst| !zones.has(worst.position)) {
                 let place = own.partition_point(|zone| zone.sample < worst.position);
-                let zone = zones.zone(&worst.accuracy, point, worst.position);
+                let zone = zones.zone(&worst.place.accuracy, point, worst.position);
                 zone.into_iter().for_each(|zone| own.insert(place, zone));
             }
         }
@@ -117,7 +105,7 @@ impl SpatialModel {
             let clearance =
                 course.answer(is_proven, is_stopped).map_err(|error| self.no_answer(&output.name, at, error))?;
             let mut motion = OutputMotion { value_si, clearance, ..self.output_motion(output) };
-            drop_round_off(&mut motion, mechanism.characteristic_length_m());
+            drop_round_off_of_output(&mut motion, mechanism.characteristic_length_m());
             Ok(motion)
         });
         let outputs = outputs.collect::<Result<Vec<OutputMotion>, Diagnostics>>()?;
@@ -128,7 +116,7 @@ impl SpatialModel {
     /// What play does to each output to first order at other places, as [`SpatialModel::scatter_at`] has what scatters there.
     ///
     /// # Errors
-    /// As for [`SpatialModel::motion_record_until`].
+    /// As for [`SpatialModel::motion_with_paths_until`].
     pub fn play_at(
         &self,
         values: &Values,
@@ -146,7 +134,10 @@ impl SpatialModel {
         let accuracy = Rc::new(accuracy);
         let courses = self.courses(&mechanism, values)?.into_iter().zip(&self.outputs).map(|(mut course, output)| {
             course.add(&accuracy, true).map_err(|error| self.no_answer(&output.name, at, error))?;
-            Ok(course.unsearched())
+            let mut answer = course.unsearched();
+            let unit = SiUnit::of_dimension(output.kind.dimension());
+            answer.drop_round_off(round_off_si(&unit, mechanism.characteristic_length_m()));
+            Ok(answer)
         });
         courses.collect()
     }
@@ -160,7 +151,7 @@ impl SpatialModel {
     /// The mechanism moving over its turn, to be drawn: without outputs and what play does to them. Until it is stopped.
     ///
     /// # Errors
-    /// As for [`SpatialModel::motion_record_until`], but for answers.
+    /// As for [`SpatialModel::motion_with_paths_until`], but for answers.
     pub fn drawn_motion_until(&self, values: &Values, is_stopped: IsStopped) -> Result<MotionRecord, Diagnostics> {
         let mechanism = self.mechanism(values).map_err(|error| self.diagnostic(&error))?;
         let input = self.cycle_input(values).map_err(|error| self.diagnostic(&error))?;

@@ -178,19 +178,9 @@ pub(super) fn components_of(
     Ok(model.outputs_of(part.output, values)?)
 }
 
-/// The component that a part is the number of, where it is one.
-pub(super) fn component(part: PartOfOutput) -> Option<usize> {
-    match part {
-        PartOfOutput::Number | PartOfOutput::X => Some(0),
-        PartOfOutput::Y => Some(1),
-        PartOfOutput::Z => Some(2),
-        PartOfOutput::Along | PartOfOutput::Across | PartOfOutput::Magnitude => None,
-    }
-}
-
 /// The place of a point along the direction of a part; 0 of what has none.
 pub(super) fn place_of(part: PartOfOutput, components: &[SpatialOutput], poses: &[Pose]) -> f64 {
-    let own = component(part).and_then(|number| components.get(number)).and_then(SpatialOutput::point);
+    let own = part.component().and_then(|number| components.get(number)).and_then(SpatialOutput::point);
     own.map_or(0.0, |own| poses[own.body].point_m(own.point_m).dot(own.direction))
 }
 

@@ -49,6 +49,16 @@ impl PartOfOutput {
         }
     }
 
+    /// The component of its output that it is the number of, where it is one.
+    pub(crate) fn component(self) -> Option<usize> {
+        match self {
+            Self::Number | Self::X => Some(0),
+            Self::Y => Some(1),
+            Self::Z => Some(2),
+            Self::Along | Self::Across | Self::Magnitude => None,
+        }
+    }
+
     /// Whether it is the length of a vector.
     pub fn is_never_negative(self) -> bool {
         matches!(self, Self::Across | Self::Magnitude)

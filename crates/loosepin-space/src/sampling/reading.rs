@@ -2,7 +2,7 @@
 
 use super::goal::{Goal, axes, point_m};
 use super::longest::{Displacements, Longest};
-use super::nominal::{NominalPlace, component, place_of};
+use super::nominal::{NominalPlace, place_of};
 use super::part::{PartOfOutput, PlaySide};
 use super::reach::Reach;
 use super::shortest::shortest;
@@ -34,7 +34,7 @@ impl PlaceReader<'_> {
     /// The numbers of a part.
     pub(super) fn read(&self, reach: &mut dyn Reach, part: &PlacedPart<'_>) -> Result<Numbers, AccuracyError> {
         let nominal = self.place.values.get(part.number).copied().unwrap_or_default();
-        if let Some(output) = component(part.part).and_then(|number| part.components.get(number)) {
+        if let Some(output) = part.part.component().and_then(|number| part.components.get(number)) {
             let ideal = match output.point() {
                 Some(_) => place_of(part.part, part.components, reach.ideal()),
                 None => {

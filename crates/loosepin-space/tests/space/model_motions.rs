@@ -62,7 +62,7 @@ path_of = "rod.tip"
 
 fn record(text: &str) -> MotionRecord {
     let model = SpatialModel::from_text("model.toml", text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
-    let found = model.motion_record_until(&model.quantities.nominal(), true, &|| false);
+    let found = model.motion_with_paths_until(&model.quantities.nominal(), &[], true, &|| false);
     found.unwrap_or_else(|diagnostics| panic!("{diagnostics}"))
 }
 

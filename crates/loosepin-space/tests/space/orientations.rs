@@ -73,7 +73,7 @@ fn length(parts: [f64; 3]) -> f64 {
 #[test]
 fn analytic_leans_of_two_pins_add_up_across_both_axes() {
     let model = model(ARM);
-    let record = model.motion_record_until(&model.quantities.nominal(), true, &|| false);
+    let record = model.motion_with_paths_until(&model.quantities.nominal(), &[], true, &|| false);
     let record = record.unwrap_or_else(|found| panic!("{found}"));
     let [output] = record.outputs.as_slice() else { panic!("one output") };
     assert!(output.value_si.is_empty());

@@ -16,8 +16,8 @@ fn read(text: &str) -> SpatialModel {
 type Work = (&'static str, fn(&SpatialModel, &dyn Fn() -> bool) -> Result<(), Diagnostics>);
 
 const WORKS: [Work; 5] = [
-    ("motion", |model, stop| model.motion_record_until(&model.quantities.nominal(), false, stop).map(|_| ())),
-    ("proof", |model, stop| model.motion_record_until(&model.quantities.nominal(), true, stop).map(|_| ())),
+    ("motion", |model, stop| model.motion_with_paths_until(&model.quantities.nominal(), &[], false, stop).map(|_| ())),
+    ("proof", |model, stop| model.motion_with_paths_until(&model.quantities.nominal(), &[], true, stop).map(|_| ())),
     ("picture", |model, stop| model.drawn_motion_until(&model.quantities.nominal(), stop).map(|_| ())),
     ("assembly", |model, stop| model.assembly_until(&model.quantities.nominal(), stop).map(|_| ())),
     ("scatter", |model, stop| {

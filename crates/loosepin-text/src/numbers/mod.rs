@@ -3,6 +3,7 @@
 
 mod parameter;
 mod parameters;
+mod point_argument;
 mod problem;
 mod quantity;
 mod reader;
@@ -10,6 +11,7 @@ mod reads_numbers;
 mod unitless;
 
 pub use parameters::Parameters;
+pub use point_argument::{NamedPoints, place_in_path_argument, points_of_paths};
 pub use problem::EntryProblem;
 pub use quantity::{DIAMETRAL, Origin, Quantity, QuantityError, QuantityId, QuantityTable, RADIAL, UNREAD, Values};
 pub use reader::{HintOfNeeds, NameTable, NumberReader};

@@ -1,7 +1,7 @@
 //! The sentences that a reader takes away: what they claim, that they never claim more than the bounds hold, and that
 //! they say so when something is missing.
 
-use loosepin::accuracy::record::GuideOverhang;
+use loosepin::accuracy::record::{ClearanceAnswer, GuideOverhang, SearchedPosition};
 use loosepin::report::{motion_page, motion_text, study_page, study_sentences, study_text};
 use loosepin::result::ContactShape;
 use loosepin::study::result::{
@@ -474,7 +474,7 @@ fn verdicts_stand_first_and_with_their_numbers() {
 #[test]
 fn a_mechanism_without_play_says_so() {
     let mut record = report_fixture::motion::worn_pin();
-    record.outputs[0].clearance = loosepin::accuracy::record::ClearanceAnswer::default();
+    record.outputs[0].clearance = ClearanceAnswer::default();
     // The rod moves the slider by Δl/cos b, the crank by Δr (cos t + tan b sin t), sin b = -(r/l) sin t; of whole degrees most at
     // 225°: 0.03644020 mm.
     let text = one_line(&motion_text(&record));
@@ -490,6 +490,61 @@ fn a_mechanism_without_play_says_so() {
     assert!(text.contains("No joint has play and no part scatters: the motion is ideal."), "{text}");
     assert!(!text.contains("not known"), "{text}");
     assert!(!motion_page(&record).contains("Effect of part scatter"));
+}
+
+#[test]
+fn play_of_which_nothing_is_known_is_not_said_to_be_none() {
+    let mut record = report_fixture::motion::worn_pin();
+    record.outputs[0].clearance.forget();
+    let sentence = "What the play of 'gudgeon' and 'crankpin' does is not known.";
+    let scattering = one_line(&motion_text(&record));
+    assert!(scattering.contains(sentence) && scattering.contains("Part scatter moves the slider"), "{scattering}");
+    record.outputs[0].dimensional_standard_deviation_si.clear();
+    record.outputs[0].dimensional_contributors.clear();
+    let text = one_line(&motion_text(&record));
+    for wrong in ["the motion is ideal", "moves none of the outputs", "No joint has play"] {
+        assert!(text.contains(sentence) && !text.contains(wrong), "{text}");
+    }
+    assert!(!motion_page(&record).contains("an eccentricity e"), "nothing was computed");
+}
+
+#[test]
+fn how_much_of_a_deviation_is_lean_is_said_beside_it() {
+    let mut record = report_fixture::motion::worn_pin();
+    assert!(!one_line(&motion_text(&record)).contains("lean"));
+    // Without lean a quarter is left, at all angles alike.
+    let answer = &mut record.outputs[0].clearance;
+    answer.held_first_order_si = answer.first_order_si.iter().map(|all_si| 0.25 * all_si).collect();
+    let text = one_line(&motion_text(&record));
+    assert!(text.contains("75 % of it is lean: with pins that do not lean it is ±0."), "{text}");
+    assert!(motion_page(&record).contains("with pins that do not lean"), "its chart has the curve");
+}
+
+#[test]
+fn how_play_is_found_is_said_of_journals_that_must_meet_conditions_together() {
+    let mut record = report_fixture::motion::worn_pin();
+    let page = motion_page(&record);
+    assert!(page.contains("an eccentricity e") && !page.contains("that let the loops close"), "each by itself");
+    let own = record.outputs[0].clearance.clone();
+    record.outputs[0].clearance = ClearanceAnswer {
+        searched: vec![SearchedPosition {
+            position: 90,
+            found_si: [-6e-4, 6e-4],
+            proven_si: Some([f64::NEG_INFINITY, f64::INFINITY]),
+            conditions: 1,
+        }],
+        first_order_si: own.first_order_si,
+        contributors: own.contributors,
+        ..ClearanceAnswer::default()
+    };
+    let page = motion_page(&record);
+    let method = "the largest g·p over all places p of the journals in their bearings that let the loops close";
+    let chart = "Each journal may be anywhere in its clearance circle, as far as the loops close. The band is";
+    assert!(page.contains(method) && page.contains("a search over all places of the journals"), "{page}");
+    assert!(page.contains(chart), "{page}");
+    for wrong in ["an eccentricity e", "leans", "The standard deviation assumes"] {
+        assert!(!page.contains(wrong), "{wrong}");
+    }
 }
 
 #[test]

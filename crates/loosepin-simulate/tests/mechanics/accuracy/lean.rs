@@ -3,7 +3,8 @@
 use super::motion::plan;
 use super::{Built, build_text};
 use loosepin_result::motion::{ClearanceAnswer, MotionRecord};
-use loosepin_simulate::accuracy::motion_with_worst_cases;
+use loosepin_result::study::Deviation;
+use loosepin_simulate::accuracy::{DeviationQuestion, deviation_ends, motion_with_worst_cases, position_outputs};
 
 const OVERHUNG: &str = include_str!("../../../../../docs/examples/overhung-tool.toml");
 
@@ -86,6 +87,25 @@ fn metamorphic_with_lean_held_it_is_the_plane() {
             assert!((held - plane).abs() <= 1e-9 * plane.abs(), "{output}: {held} {plane}");
         }
         assert!(answer(&without, output).held_first_order_si.is_empty());
+    }
+}
+
+/// The proof and the searches of the plane know no lean: they are not taken for an answer.
+#[test]
+fn deviations_with_play_are_not_known_where_pins_lean() {
+    let ends = |built: &Built| {
+        let reading = position_outputs(&built.mechanism)[0].reading;
+        let questions = [Deviation::Clearance, Deviation::Total].map(|of| DeviationQuestion { reading, of });
+        let turn = (built.mechanism.model.cycle.span, 36);
+        deviation_ends(&built.mechanism, &built.values, turn, &[], &questions).expect("it moves").of_questions
+    };
+    for own in ends(&changed(&[])) {
+        assert!(own.found.iter().all(|found| found.deviation_si.is_nan()), "{:?}", own.found);
+        assert!(own.unproven.iter().all(Option::is_some));
+    }
+    for own in ends(&changed(&[("lean = \"free\"", "lean = \"held\"")])) {
+        assert!(own.found.iter().all(|found| found.deviation_si.is_finite()), "{:?}", own.found);
+        assert!(own.unproven.iter().all(Option::is_none));
     }
 }
 

@@ -3,7 +3,12 @@
 use super::motion::plan;
 use super::{Built, build_text};
 use loosepin_result::motion::MotionRecord;
-use loosepin_simulate::accuracy::motion_with_worst_cases;
+use loosepin_result::point_path::REACH_DIRECTIONS;
+use loosepin_result::study::Deviation;
+use loosepin_simulate::accuracy::{
+    AskedPose, DeviationQuestion, MotionPlan, Scatter, deviation_ends, motion, motion_with_worst_cases,
+    position_outputs,
+};
 use std::f64::consts::TAU;
 
 /// Length of all cranks, m.
@@ -11,7 +16,11 @@ const CRANK_M: f64 = 0.08;
 
 /// The coupler lies 200 mm long on the driven crank and a rocker with play at its pivot, and half way on a crank in the middle with play there too.
 fn three_cranks(rocker_clearance: &str, middle: &str) -> Built {
-    build_text(&format!(
+    build_text(&three_cranks_text(rocker_clearance, middle))
+}
+
+fn three_cranks_text(rocker_clearance: &str, middle: &str) -> String {
+    format!(
         r#"
 name = "three cranks"
 
@@ -67,7 +76,7 @@ along = "y"
 [cycle]
 drive = "crank"
 "#
-    ))
+    )
 }
 
 fn pivot(clearance: &str) -> String {
@@ -147,13 +156,193 @@ fn analytic_play_of_three_parallel_cranks_meets_its_condition() {
     }
 }
 
-/// A slot has no counterpart in space: then nothing is said of play, and why.
-#[test]
-fn what_space_does_not_have_is_said_not_guessed() {
+/// A slot has no counterpart in space.
+fn held_by_slots() -> Built {
     let slot = "[joint.middle_pivot]\nkind = \"slot\"\nslot = { point = \"ground.c\", angle = \"30 deg\" }\npin = \"middle.pivot\"\n[joint.middle_held]\n\
                 kind = \"slot\"\nslot = { point = \"ground.c\", angle = \"120 deg\" }\npin = \"middle.pivot\"";
-    let record = recorded(&three_cranks("0.1 mm", slot));
-    assert!(record.outputs.iter().all(|output| output.clearance == Default::default()));
-    let [remark] = &record.remarks[..] else { panic!("{:?}", record.remarks) };
-    assert!(remark.contains("there is none like joint 'middle_pivot'"), "{remark}");
+    three_cranks("0.1 mm", slot)
 }
+
+/// Then nothing is said of play, and why: which joints have it, but no effect on an output and no zone of a path. An output that is seen from a body
+/// is found to have none only at the first position.
+#[test]
+fn what_space_does_not_have_is_said_not_guessed() {
+    let output = "angle_of = \"rocker\"";
+    let seen =
+        three_cranks_text("0.1 mm", &pivot("0.1 mm")).replace(output, &format!("{output}\nrelative_to = \"crank\""));
+    for (built, joints, reason) in [
+        (held_by_slots(), &["rocker_pivot"][..], "there is none like joint 'middle_pivot'"),
+        (build_text(&seen), &["rocker_pivot", "middle_pivot"], "output 'rocker' is seen from a body"),
+    ] {
+        let paths = built.mechanism.model.points_of_paths(&["coupler.c".to_owned()]).expect("a point");
+        let record =
+            motion_with_worst_cases(&built.mechanism, &built.values, &MotionPlan { paths, ..plan(&built, 40) });
+        let record = record.expect("a motion");
+        for output in &record.outputs {
+            assert!(output.clearance.is_forgotten());
+            let contributors = &output.clearance.contributors;
+            assert!(
+                contributors.iter().map(|joint| joint.joint.as_str()).eq(joints.iter().copied()),
+                "{contributors:?}"
+            );
+            assert!(
+                contributors.iter().all(|joint| joint.radial_clearance_m == 1e-4 && joint.first_order_si.is_empty())
+            );
+        }
+        let [path] = &record.paths[..] else { panic!("one path") };
+        assert!(path.is_complete() && !path.is_play_known() && !path.has_zone());
+        let reaches = [&path.play_reach_m, &path.play_along_m, &path.play_across_m];
+        assert!(reaches.into_iter().flatten().all(|reach_m| reach_m.is_nan()));
+        let [remark] = &record.remarks[..] else { panic!("{:?}", record.remarks) };
+        assert!(remark.contains(reason), "{remark}");
+        assert!(record.unproven_spans.is_empty());
+    }
+}
+
+/// The reach of a path along y is the worst case of that coordinate of its point.
+#[test]
+fn identity_the_zone_of_a_path_reaches_as_far_as_its_coordinates() {
+    /// Round-off of the position over that of the clearance.
+    const ROUND_OFF: f64 = 1e-8;
+    let built = three_cranks("0.1 mm", &pivot("0.02 mm"));
+    let paths = built.mechanism.model.points_of_paths(&["coupler.b".to_owned()]).expect("a point");
+    let record = motion(&built.mechanism, &built.values, &MotionPlan { paths, ..plan(&built, 40) }).expect("a motion");
+    let [path] = &record.paths[..] else { panic!("one path") };
+    let height = &record.outputs[1].clearance.first_order_si;
+    for (position, due) in height.iter().enumerate() {
+        let found = path.play_reach_m[position * REACH_DIRECTIONS + REACH_DIRECTIONS / 2];
+        assert!((found - due).abs() < ROUND_OFF * 1e-4, "{position}: {found} {due}");
+    }
+    assert!(height.iter().any(|effect_si| *effect_si > 1e-5), "{height:?}");
+}
+
+/// The effects of play on the rocker at a pose are those of the closed form, and the scatter is that of the turn; where nothing is known of play
+/// the scatter is still there.
+#[test]
+fn analytic_poses_that_are_asked_about_have_their_effects() {
+    /// Round-off of the position over that of the clearance.
+    const ROUND_OFF: f64 = 1e-8;
+    let middle_m = 2e-5;
+    for (built, is_known) in [(three_cranks("0.1 mm", &pivot("0.02 mm")), true), (held_by_slots(), false)] {
+        let scatter =
+            vec![Scatter { quantity: built.quantity("body.rocker.points.pin.x"), standard_deviation_si: 2e-5 }];
+        let walked = recorded(&built).drive_angle_rad;
+        let asked = |pose_rad: f64| AskedPose { output: "rocker".to_owned(), pose_rad, is_required: true };
+        let asked = vec![asked(walked[3]), asked(100.0_f64.to_radians())];
+        let record = motion(&built.mechanism, &built.values, &MotionPlan { scatter, asked, ..plan(&built, 40) });
+        let record = record.expect("a motion");
+        assert_eq!(record.asked.len(), 2);
+        for effect in &record.asked {
+            let (sine, cosine) = effect.pose_rad.sin_cos();
+            let along_m = f64::min(1e-4 * cosine.abs(), 2.0 * middle_m);
+            let due = (along_m * (cosine / sine).abs() + (1e-8 - along_m * along_m).sqrt()) / CRANK_M;
+            assert_eq!(effect.joints.len(), if is_known { 2 } else { 0 });
+            let of_joints: f64 = effect.joints.iter().map(|joint| joint.value_si).sum();
+            match is_known {
+                true => assert!((effect.first_order_si - due).abs() < ROUND_OFF * due, "{effect:?} {due}"),
+                false => assert!(effect.first_order_si.is_nan()),
+            }
+            assert!(!is_known || (of_joints - due).abs() < ROUND_OFF * due, "{effect:?}");
+            assert!(effect.standard_deviation_si > 0.0 && effect.dimensions.len() == 1);
+        }
+        let [at_position, _] = &record.asked[..] else { panic!("two poses") };
+        assert_eq!(at_position.standard_deviation_si, record.outputs[0].dimensional_standard_deviation_si[3]);
+    }
+}
+
+/// Searches that count each play by itself would find places at which the loops do not close: they are not taken for found.
+#[test]
+fn deviations_with_play_are_not_known_where_plays_must_meet_conditions() {
+    for middle in ["0 mm", "0.1 mm"] {
+        let built = three_cranks("0.1 mm", &pivot(middle));
+        let reading = position_outputs(&built.mechanism)[0].reading;
+        let questions = [Deviation::Clearance, Deviation::Total].map(|of| DeviationQuestion { reading, of });
+        let span = built.mechanism.model.cycle.span;
+        let ends = deviation_ends(&built.mechanism, &built.values, (span, 40), &[], &questions).expect("it moves");
+        for own in &ends.of_questions {
+            assert!(own.found.iter().all(|found| found.deviation_si.is_nan()), "{:?}", own.found);
+            assert!(own.unproven.iter().all(Option::is_some));
+        }
+    }
+}
+
+/// Three sliders in parallel guides on a bar, of which two are enough; the first is driven. With the bar at β to the guides, u and v the play at the
+/// third and at the middle slider and n across the guides, the bar turns by u·n/(L cos β) = 2 v·n/(L cos β), and the third slider moves along its
+/// guide by up to w tan β + √(c² - w²), w = min(2c', c sin β).
+#[test]
+fn analytic_play_of_a_bar_on_three_sliders_meets_its_condition() {
+    /// Round-off of the position over that of the clearance.
+    const ROUND_OFF: f64 = 1e-8;
+    /// The bar turns by 1e-3 rad at most, so that the exact numbers are within that of those of first order.
+    const SECOND_ORDER: f64 = 2e-3;
+    let clearance_m = 1e-4;
+    for (middle_m, middle) in [(1e-4, "0.1 mm"), (2e-5, "0.02 mm")] {
+        let record = recorded(&build_text(&SLIDERS.replace("MIDDLE", middle)));
+        assert_eq!(record.remarks, Vec::<String>::new());
+        // sin β = 0.6.
+        let across_m = f64::min(2.0 * middle_m, 0.6 * clearance_m);
+        let due = 0.75 * across_m + (clearance_m * clearance_m - across_m * across_m).sqrt();
+        let answer = &record.outputs[0].clearance;
+        assert!(answer.first_order_si.iter().all(|found| (found - due).abs() < ROUND_OFF * due), "{due} {answer:?}");
+        assert_eq!(answer.searched[0].conditions, 1);
+        assert!(answer.searched[0].found_si.iter().all(|found| (found.abs() / due - 1.0).abs() < SECOND_ORDER));
+    }
+}
+
+const SLIDERS: &str = r#"
+name = "a bar on three sliders"
+
+[body.ground]
+points = { first = ["0 mm", "0 mm"], middle = ["-60 mm", "0 mm"], third = ["-120 mm", "0 mm"] }
+[body.first]
+points = { pin = ["0 mm", "0 mm"] }
+[body.middle]
+points = { pin = ["0 mm", "0 mm"] }
+[body.third]
+points = { pin = ["0 mm", "0 mm"] }
+[body.bar]
+points = { first = ["0 mm", "0 mm"], middle = ["100 mm", "0 mm"], third = ["200 mm", "0 mm"] }
+
+[joint.push]
+kind = "prismatic"
+guide = { point = "ground.first", angle = "90 deg" }
+slider = { point = "first.pin", angle = "0 deg" }
+[joint.middle_guide]
+kind = "prismatic"
+guide = { point = "ground.middle", angle = "90 deg" }
+slider = { point = "middle.pin", angle = "0 deg" }
+[joint.third_guide]
+kind = "prismatic"
+guide = { point = "ground.third", angle = "90 deg" }
+slider = { point = "third.pin", angle = "0 deg" }
+[joint.first_pin]
+kind = "revolute"
+bearing = "first.pin"
+journal = "bar.first"
+[joint.middle_pin]
+kind = "revolute"
+bearing = "bar.middle"
+journal = "middle.pin"
+bearing_radius = "8 mm"
+radial_clearance = "MIDDLE"
+[joint.third_pin]
+kind = "revolute"
+bearing = "bar.third"
+journal = "third.pin"
+bearing_radius = "8 mm"
+radial_clearance = "0.1 mm"
+
+[drive.push]
+joint = "push"
+motion = { kind = "harmonic", mean = "30 mm", amplitude = "20 mm", frequency = "1 Hz" }
+
+[assembly]
+guess = { bar = "126.87 deg" }
+
+[output.third]
+position_of = "third.pin"
+along = "y"
+
+[cycle]
+duration = "1 s"
+"#;

@@ -1,6 +1,6 @@
 //! How far play takes a number of an output, over the turn or in one position of it: what a requirement is judged by.
 
-use crate::accuracy::{AccuracyError, PoseAccuracy, SearchOptions};
+use crate::accuracy::{AccuracyError, Longest, PoseAccuracy, SearchOptions};
 use crate::closure::assembly::Starts;
 use crate::closure::position::Position;
 use crate::mechanism::spatial_mechanism::SpatialMechanism;
@@ -13,7 +13,6 @@ use crate::output::SpatialOutput;
 use crate::output::kind_of_output::OutputState;
 use crate::sampling::{PartOfOutput, SampledPart};
 use crate::stop::IsStopped;
-use loosepin_math::Vec3;
 use loosepin_text::diagnostics::Diagnostics;
 use loosepin_text::numbers::Values;
 use std::ops::Range;
@@ -88,7 +87,7 @@ impl SpatialModel {
     /// first order, and by what is proven; proofs are made in all positions that are looked at, a tenth of a second each and more.
     ///
     /// # Errors
-    /// As for [`SpatialModel::motion_record_until`].
+    /// As for [`SpatialModel::motion_with_paths_until`].
     pub fn play_ends_until(
         &self,
         values: &Values,
@@ -109,7 +108,10 @@ impl SpatialModel {
         let positions = self.turn(&mechanism, values, &times_s, Starts::Nearby, is_stopped).whole();
         let positions = positions.map_err(|error| self.not_closed(&error))?;
         let components = self.outputs_of(question.part.output, values).map_err(|error| self.diagnostic(&error))?;
-        let components = components_of(question.part.part, &components);
+        let components = match question.part.part.component() {
+            Some(component) => components.get(component).copied().into_iter().collect(),
+            None => components,
+        };
         let states: Vec<OutputState> =
             positions.iter().map(|own| OutputState { mechanism: &mechanism, poses: &own.poses }).collect();
         let ideal = match (question.is_value, components.as_slice()) {
@@ -126,15 +128,14 @@ impl SpatialModel {
     }
 }
 
-/// The components of an output that make a part of it.
-fn components_of(part: PartOfOutput, all: &[SpatialOutput]) -> Vec<SpatialOutput> {
-    let number = match part {
-        PartOfOutput::Number | PartOfOutput::X => 0,
-        PartOfOutput::Y => 1,
-        PartOfOutput::Z => 2,
-        PartOfOutput::Along | PartOfOutput::Across | PartOfOutput::Magnitude => return all.to_vec(),
-    };
-    all.get(number).copied().into_iter().collect()
+/// A position that is looked at.
+struct Place {
+    index: usize,
+    /// The components of the part there; there are some.
+    components: Vec<SpatialOutput>,
+    /// The largest deviation of first order, and the component that has it.
+    size: f64,
+    along: SpatialOutput,
 }
 
 /// An answer, or the position that has none.
@@ -146,45 +147,46 @@ impl Walk<'_> {
         if !question.has_play || !self.mechanism.joints().iter().any(has_play) {
             return Ok(self.ideal_ends(looked_at, &turn));
         }
-        let mut sizes = Vec::with_capacity(looked_at.len());
-        for index in looked_at.clone() {
-            let accuracy = self.accuracy(index)?;
+        let mut places = Vec::with_capacity(looked_at.len());
+        for index in looked_at {
             let Some(components) = self.components_at(index) else { return Ok(self.at_rest(index)) };
-            sizes.push((index, self.largest(&accuracy, &components).map_err(|error| (index, error))?.0));
+            let Longest { size, along, .. } = self.answered(index, |accuracy| {
+                let gains = components.iter().map(|output| accuracy.gains(output)).collect::<Result<Vec<_>, _>>()?;
+                accuracy.longest(&gains)
+            })?;
+            places.push(Place { index, size, along: along.output, components });
         }
         // The lowest and the highest of first order, the first of several alike.
         let end = |sign: f64| {
-            let ends = sizes.iter().map(|(index, size)| (*index, sign * self.ideal[*index] + size));
-            ends.reduce(|a, b| if b.1 > a.1 { b } else { a }).map_or(0, |(index, _)| index)
+            let end = |place: &Place| sign * self.ideal[place.index] + place.size;
+            (0..places.len()).reduce(|a, b| if end(&places[b]) > end(&places[a]) { b } else { a })
         };
+        let mut searched: Vec<usize> = [end(-1.0), end(1.0)].into_iter().flatten().collect();
+        searched.dedup();
         let mut ends = PlayEnds::new();
-        let mut searched = vec![end(-1.0)];
-        if end(1.0) != searched[0] {
-            searched.push(end(1.0));
-        }
-        for index in &searched {
-            ends.take(self.found(*index)?, turn(*index));
+        for own in &searched {
+            ends.take(self.found(&places[*own])?, turn(places[*own].index));
         }
         if ends.found[0] < question.limits[0] || ends.found[1] > question.limits[1] {
             return Ok(ends);
         }
         let mut proven = [(f64::INFINITY, 0), (f64::NEG_INFINITY, 0)];
-        for index in looked_at {
-            let Some([low, high]) = self.proven(index)? else {
-                return Ok(PlayEnds { unproven: Some(self.why_unproven(index)?), ..ends });
+        for (own, place) in places.iter().enumerate() {
+            let Some([low, high]) = self.proven(place)? else {
+                return Ok(PlayEnds { unproven: Some(self.why_unproven(place.index)?), ..ends });
             };
             if low < proven[0].0 {
-                proven[0] = (low, index);
+                proven[0] = (low, own);
             }
             if high > proven[1].0 {
-                proven[1] = (high, index);
+                proven[1] = (high, own);
             }
         }
         // The first order may have its ends elsewhere.
-        for (_, index) in proven {
-            if !searched.contains(&index) {
-                searched.push(index);
-                ends.take(self.found(index)?, turn(index));
+        for (_, own) in proven {
+            if !searched.contains(&own) {
+                searched.push(own);
+                ends.take(self.found(&places[own])?, turn(places[own].index));
             }
         }
         Ok(PlayEnds { proven: proven.map(|(end, _)| end), ..ends })
@@ -206,6 +208,11 @@ impl Walk<'_> {
         PoseAccuracy::new(&self.mechanism, &self.positions[index]).map_err(|error| (index, error))
     }
 
+    /// An answer in a position.
+    fn answered<T>(&self, index: usize, ask: impl FnOnce(&PoseAccuracy<'_>) -> Result<T, AccuracyError>) -> At<T> {
+        ask(&self.accuracy(index)?).map_err(|error| (index, error))
+    }
+
     /// The components of the part in a position; `None` where its directions are those of a path whose point rests.
     fn components_at(&self, index: usize) -> Option<Vec<SpatialOutput>> {
         let is_along = match self.part {
@@ -222,48 +229,24 @@ impl Walk<'_> {
         Some(vec![own.component(across)?, own.component(tangent.cross(across))?])
     }
 
-    /// The largest deviation of first order, and the component that has it.
-    fn largest(
-        &self,
-        accuracy: &PoseAccuracy<'_>,
-        components: &[SpatialOutput],
-    ) -> Result<(f64, SpatialOutput), AccuracyError> {
-        if let [output] = components {
-            return Ok((accuracy.first_order(&accuracy.gains(output)?)?.worst, *output));
-        }
-        let gains = components.iter().map(|output| accuracy.gains(output)).collect::<Result<Vec<_>, _>>()?;
-        let longest = accuracy.largest_norm(&gains)?;
-        // Components of a rotation are about x, y and z.
-        let axes = components.iter().zip(Vec3::AXES).map(|(own, axis)| own.point().map_or(axis, |own| own.direction));
-        let direction = axes.zip(&longest.direction).fold(Vec3::ZERO, |sum, (axis, share)| sum + axis * *share);
-        let direction = direction.normalised().unwrap_or(Vec3::X);
-        let along = components.first().and_then(|first| first.component(direction));
-        Ok((longest.largest, along.ok_or(AccuracyError::OutputDoesNotFit)?))
-    }
-
     /// The lowest and the highest that a search finds in a position.
-    fn found(&self, index: usize) -> At<[f64; 2]> {
-        let accuracy = self.accuracy(index)?;
-        let components = self.components_at(index).unwrap_or_default();
-        let found = self.largest(&accuracy, &components).and_then(|(_, along)| {
-            let exact = accuracy.worst_case_until(&along, &SearchOptions::default(), self.is_stopped)?;
-            Ok([exact.smallest.deviation, exact.largest.deviation])
-        });
-        let [low, high] = found.map_err(|error| (index, error))?;
+    fn found(&self, Place { index, along, components, .. }: &Place) -> At<[f64; 2]> {
+        let options = SearchOptions::default();
+        let exact = self.answered(*index, |accuracy| accuracy.worst_case_until(along, &options, self.is_stopped))?;
+        let [low, high] = [exact.smallest.deviation, exact.largest.deviation];
         Ok(match components.len() {
-            1 => [low + self.ideal[index], high + self.ideal[index]],
+            1 => [low + self.ideal[*index], high + self.ideal[*index]],
             _ => [0.0, f64::max(-low, high)],
         })
     }
 
     /// Ends that are proven in a position; of a length by those of its components.
-    fn proven(&self, index: usize) -> At<Option<[f64; 2]>> {
-        let accuracy = self.accuracy(index)?;
-        let components = self.components_at(index).unwrap_or_default();
+    fn proven(&self, Place { index, components, .. }: &Place) -> At<Option<[f64; 2]>> {
+        let accuracy = self.accuracy(*index)?;
         let ends = components.iter().map(|output| accuracy.proven_end(output).map(|own| [own.smallest, own.largest]));
         let Some(ends) = ends.collect::<Option<Vec<[f64; 2]>>>() else { return Ok(None) };
         Ok(Some(match ends[..] {
-            [[low, high]] => [low + self.ideal[index], high + self.ideal[index]],
+            [[low, high]] => [low + self.ideal[*index], high + self.ideal[*index]],
             _ => [0.0, ends.iter().fold(0.0, |length: f64, [low, high]| length.hypot(f64::max(-low, *high)))],
         }))
     }

@@ -10,11 +10,8 @@ use crate::motion::{PathFrame, RESTING, motion};
 use crate::output::SpatialOutput;
 use loosepin_math::Vec3;
 use loosepin_result::point_path::PointPath;
-use loosepin_text::diagnostics::{Diagnostic, Diagnostics, Place, Source, nearest_name};
-use loosepin_text::numbers::{EntryProblem, Values};
-
-/// The argument that names points whose paths are recorded.
-const PATH: &str = "--path";
+use loosepin_text::diagnostics::{Diagnostic, Diagnostics};
+use loosepin_text::numbers::{NamedPoints, Values, place_in_path_argument, points_of_paths};
 
 /// The paths of some points, position by position.
 pub(in crate::model) struct PathsOverTurn {
@@ -101,43 +98,14 @@ impl SpatialModel {
     /// The points called `names`, each `BODY.POINT`; a second mention of one counts once.
     ///
     /// # Errors
-    /// A diagnostic for each name that is no point of the model, with the nearest one; its place is in the name.
+    /// As for [`points_of_paths`].
     pub fn points_of_paths(&self, names: &[String]) -> Result<Vec<PointId>, Diagnostics> {
-        let mut diagnostics = Diagnostics::new();
-        let mut points = Vec::new();
-        for name in names {
-            match self.point_called(name) {
-                Ok(point) if points.contains(&point) => {}
-                Ok(point) => points.push(point),
-                Err(problem) => diagnostics.push(Diagnostic::error(&problem, Some(place_of(name)))),
-            }
-        }
-        if diagnostics.is_empty() { Ok(points) } else { Err(diagnostics) }
-    }
-
-    fn point_called(&self, name: &str) -> Result<PointId, EntryProblem> {
-        let entry = PATH.to_owned();
-        let Some((body_name, _)) = name.split_once('.') else {
-            return Err(EntryProblem::NotAPoint { entry, text: name.to_owned() });
-        };
-        let points = |body: usize| (0..self.bodies[body].points.len()).map(move |point| PointId { body, point });
-        let all = || (0..self.bodies.len()).flat_map(points);
-        if let Some(found) = all().find(|point| self.point_name(*point) == name) {
-            return Ok(found);
-        }
-        // Points of a body that is there, or of all.
-        let of_body: Vec<String> = all()
-            .filter(|point| self.bodies[point.body].name == body_name)
-            .map(|point| self.point_name(point))
-            .collect();
-        let names = if of_body.is_empty() { all().map(|point| self.point_name(point)).collect() } else { of_body };
-        Err(EntryProblem::UnknownReference {
-            entry,
-            what: "point",
-            name: name.to_owned(),
-            nearest: nearest_name(name, names.iter().map(String::as_str)).map(str::to_owned),
-            known: names.iter().map(|own| format!("'{own}'")).collect(),
-        })
+        let bodies = self.bodies.iter().map(|body| NamedPoints {
+            body: &body.name,
+            points: body.points.iter().map(|point| point.name.as_str()).collect(),
+        });
+        let points = points_of_paths(names, &bodies.collect::<Vec<_>>())?;
+        Ok(points.into_iter().map(|[body, point]| PointId { body, point }).collect())
     }
 
     /// The paths of outputs in file order, then of `points` that are none, before the first position.
@@ -176,11 +144,6 @@ impl SpatialModel {
         }
         let (subject, at) = (format!("the path of {path}"), self.input_words(input));
         let problem = SpatialMotionProblem::NoAnswer { subject, at, why: error.to_string() };
-        Diagnostic::error(&problem, Some(place_of(path)))
+        Diagnostic::error(&problem, Some(place_in_path_argument(path)))
     }
-}
-
-/// Where an argument names a point.
-fn place_of(name: &str) -> Place {
-    Place::new(&Source::new(PATH, name), 0..name.len())
 }

@@ -68,6 +68,7 @@ pub fn worn_pin() -> MotionRecord {
             acceleration_si: over(&acceleration),
             clearance: ClearanceAnswer {
                 first_order_si: over(&|angle| play(angle)),
+                held_first_order_si: Vec::new(),
                 worst_case_si: over(&|angle| 1.002 * play(angle)),
                 lowest_si: over(&|angle| -1.002 * play(angle)),
                 highest_si: over(&|angle| 0.999 * play(angle)),
