@@ -338,7 +338,7 @@ enum Plays<'a> {
     /// Each play by itself.
     Apart,
     /// As plays must meet conditions together, in space.
-    Together(Together<'a>),
+    Together(Box<Together<'a>>),
     /// Not at all, with the reason in words.
     Unknown(String),
 }
@@ -372,7 +372,7 @@ impl<'a> Recorder<'a> {
         let names = || parts.iter().map(|output| output.name.clone()).collect();
         let together = || Together::new((mechanism, values), &reaches, names());
         let plays = match is_asked_in_space(mechanism).then(together) {
-            Some(Ok(together)) => Plays::Together(together),
+            Some(Ok(together)) => Plays::Together(Box::new(together)),
             Some(Err(reason)) => Plays::Unknown(reason),
             None => Plays::Apart,
         };
