@@ -103,7 +103,7 @@ fn a_path_of_a_study_in_space_is_recorded_and_drawn_with_the_mechanism() {
     desk.write("model.toml", SLIDER_CRANK);
     desk.write(
         "study.toml",
-        "name = \"path\"\nmodel = \"model.toml\"\nseed = 1\n[sampling]\nouter = 4\ninner = 16\n\
+        "name = \"path\"\nmodel = \"model.toml\"\nseed = 1\n[sampling]\nouter = 12\ninner = 16\n\
          [epistemic]\n\"joint.main.radial_clearance\" = { interval = [\"0.05 mm\", \"0.1 mm\"] }\n\
          [[ask]]\noutput = \"slider\"\nof = \"total\"\nposes = { crank = [\"0 deg\"] }\nstatistics = [\"mean\"]\n",
     );

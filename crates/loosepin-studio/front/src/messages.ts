@@ -887,7 +887,7 @@ export interface LiveCurve {
   /** Unit of the values, as it is shown. */
   unit: string;
   /** Angle of the drive at each value, degrees; where the time is the input the time, s. */
-  at: (number | null)[];
+  at: number[];
   /** The lines of the chart, in their order. */
   lines: CurveLine[];
 }
