@@ -92,6 +92,9 @@ pub struct SimulationRecord {
     pub impacts: Vec<ImpactRecord>,
     /// Path of each journal in its bearing.
     pub orbits: Vec<JournalOrbit>,
+    /// Whether pins with play lean out of the plane, which runs do not know.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub leans: bool,
     /// The mechanism and its poses.
     pub drawing: Drawing,
     /// How much of the quasi-static worst case the positions of the run use, by position output. Empty until the check was

@@ -44,15 +44,15 @@ pub(super) fn all_said(record: &MotionRecord, writer: &NumberWriter) -> Vec<Said
             let spread = spread(record, output, writer);
             let spread = spread.map(|spread| format!(" {likely}, the standard deviation is at most {spread}."));
             let words = format!(
-                "Play alone moves the {} by up to {} ({}).{}{}",
+                "Play alone moves the {} by up to {} ({}).{}",
                 moved_words(output),
                 effect.written(output, writer),
                 effect.words(record, output, writer),
-                lean_words(record, output, writer).map_or_else(String::new, |words| format!(" {words}")),
                 spread.unwrap_or_default(),
             );
             let weight = weight_of(place);
-            std::iter::once(Said { weight, words }).chain(searched_said(record, output, weight, writer))
+            let lean = lean_words(record, output, writer).map(|words| Said { weight, words });
+            std::iter::once(Said { weight, words }).chain(searched_said(record, output, weight, writer)).chain(lean)
         })
         .collect();
     if of_play.is_empty() {

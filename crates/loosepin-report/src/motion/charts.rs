@@ -61,7 +61,7 @@ pub(super) fn clearance_chart(record: &MotionRecord, output: &OutputMotion, writ
     if effect.shown == Shown::FirstOrder {
         band("first order", Role::Mixed, true, &answer.first_order_si);
     }
-    band("with pins that do not lean", Role::Limit, false, &answer.held_first_order_si);
+    band("with pins that do not lean", Role::Mean, false, &answer.held_first_order_si);
     band(
         "± standard deviation, pins anywhere in the clearance",
         Role::Random,

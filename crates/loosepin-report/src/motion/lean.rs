@@ -12,16 +12,24 @@ pub(super) fn journals_lean(record: &MotionRecord) -> bool {
     !record.picture.is_empty() || record.outputs.iter().any(has_held)
 }
 
-/// `75 % of it is lean: with pins that do not lean it is ±0.05000 mm.`, where play moves an output most; `None` where pins do not lean.
+/// `75 % of the ±0.2000 mm is lean: with pins that do not lean it is ±0.05000 mm.`, where play moves an output most; `None` where pins do not
+/// lean.
 pub(super) fn lean_words(record: &MotionRecord, output: &OutputMotion, writer: &NumberWriter) -> Option<String> {
+    /// Share of an effect that is round-off.
+    const NOTHING: f64 = 1e-9;
     let answer = &output.clearance;
     let (angle_rad, all_si) = largest_first_order(record, output);
     let position = record.drive_angle_rad.iter().position(|own_rad| *own_rad == angle_rad)?;
     let held_si = *answer.held_first_order_si.get(position)?;
-    let tag = |part: &str| Tag::joint(&output.name, "lean", part);
-    // Held pins can go nowhere that leaning ones cannot; what is left of the difference is round-off.
-    let share = (1.0 - held_si / all_si).max(0.0);
-    let share = writer.with_tag(&tag("share")).percent(share, Rounding::Nearest);
-    let held = writer.with_tag(&tag("held")).rounded(held_si, &output.unit, PLAIN_DIGITS, Rounding::Up);
-    Some(format!("{share} of it is lean: with pins that do not lean it is {}.", to_both_sides(output, held)))
+    let number = |part: &str, value_si: f64| {
+        let tag = Tag::joint(&output.name, "lean", part);
+        to_both_sides(output, writer.with_tag(&tag).rounded(value_si, &output.unit, PLAIN_DIGITS, Rounding::Up))
+    };
+    let (all, share) = (number("all", all_si), 1.0 - held_si / all_si);
+    let leans = share > NOTHING;
+    if !leans {
+        return Some(format!("None of the {all} is lean."));
+    }
+    let share = writer.with_tag(&Tag::joint(&output.name, "lean", "share")).percent(share, Rounding::Nearest);
+    Some(format!("{share} of the {all} is lean: with pins that do not lean it is {}.", number("held", held_si)))
 }

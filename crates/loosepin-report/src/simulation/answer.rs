@@ -6,7 +6,7 @@ use crate::numbers::tag::Tag;
 use crate::study::answer::turns;
 use crate::words::force::run_said;
 use crate::words::trust::TrustedRun;
-use crate::words::wording::{capitalised, count, counted, listed, without_round_off};
+use crate::words::wording::{RUNS_WITHOUT_LEAN, capitalised, count, counted, listed, without_round_off};
 use loosepin_result::simulation::{
     ControlHistory, ExtremePoint, OscillationTrend, QuasiStaticShare, SimulationRecord, SimulationSettings,
 };
@@ -81,6 +81,7 @@ pub(super) fn all_said(record: &SimulationRecord, writer: &NumberWriter) -> Vec<
         said.push(Said { weight, words: format!("{}: {contact}, penetration up to {penetration}.", joint.joint) });
     }
     said.extend(run_said(record, writer));
+    said.extend(record.leans.then(|| Said::caveat(RUNS_WITHOUT_LEAN.to_owned())));
     for control in &record.controls {
         said.extend(control_said(control, writer));
     }

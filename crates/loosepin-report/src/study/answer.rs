@@ -10,7 +10,8 @@ use crate::words::force::{JointForces, force_warnings, study_sentences};
 use crate::words::limits::requirement_words;
 use crate::words::turn::{is_broken_later, turns_sentence};
 use crate::words::wording::{
-    capitalised, counted, deviation_of, is_by_surrogate, listed, output_unit, place_words, verdict_words,
+    RUNS_WITHOUT_LEAN, capitalised, counted, deviation_of, is_by_surrogate, listed, output_unit, place_words,
+    verdict_words,
 };
 use loosepin_result::study::{
     Deviation, DeviationCurve, FurtherOutput, InputKind, PromiseRecord, StudyResult, Verdict,
@@ -69,6 +70,7 @@ pub(crate) fn answer(result: &StudyResult, writer: &NumberWriter) -> StudyAnswer
     // What the numbers take for granted and the runs contradict.
     let forces: Vec<JointForces> = result.impacts.iter().map(JointForces::study).collect();
     let mut caveats = force_warnings(&forces, writer);
+    caveats.extend(result.leans.then(|| RUNS_WITHOUT_LEAN.to_owned()));
     let (mut overturns, mut details) = (None, Vec::new());
     match turns_sentence(result, writer) {
         of_turns if is_broken_later(result) => overturns = of_turns,

@@ -177,6 +177,9 @@ pub struct StudyResult {
     /// and the mechanism as it is drawn.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub motion: Option<MotionRecord>,
+    /// Whether pins with play lean out of the plane, which runs do not know.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub leans: bool,
     /// The mechanism and its poses.
     pub drawing: Drawing,
 }

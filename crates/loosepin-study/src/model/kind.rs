@@ -142,6 +142,11 @@ pub trait KindOfModel: Debug + Send + Sync {
         Vec::new()
     }
 
+    /// Whether pins with play lean, which its runs do not know.
+    fn leans_beside_runs(&self) -> bool {
+        false
+    }
+
     /// The length of the first bearing that has play and a length.
     fn first_bearing_length(&self) -> Option<QuantityId> {
         None

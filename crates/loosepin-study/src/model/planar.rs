@@ -117,6 +117,10 @@ impl KindOfModel for Model {
             .collect()
     }
 
+    fn leans_beside_runs(&self) -> bool {
+        self.leans && self.plays().next().is_some()
+    }
+
     fn keys_of_new_play(&self, joint: &str) -> &'static [&'static str] {
         let joint = self.joints.iter().find(|known| known.name == joint);
         let can_have_play = joint.is_some_and(|joint| joint.kind.turns() && joint.kind.play().is_none());

@@ -516,8 +516,22 @@ fn how_much_of_a_deviation_is_lean_is_said_beside_it() {
     let answer = &mut record.outputs[0].clearance;
     answer.held_first_order_si = answer.first_order_si.iter().map(|all_si| 0.25 * all_si).collect();
     let text = one_line(&motion_text(&record));
-    assert!(text.contains("75 % of it is lean: with pins that do not lean it is ±0."), "{text}");
+    assert!(
+        text.contains("75 % of the ±0.") && text.contains("is lean: with pins that do not lean it is ±0."),
+        "{text}"
+    );
     assert!(motion_page(&record).contains("with pins that do not lean"), "its chart has the curve");
+}
+
+#[test]
+fn a_study_says_that_its_runs_know_no_lean() {
+    let lean = "what lean adds is in none of these numbers";
+    let mut result = worn_pin();
+    assert!(!one_line(&study_text(&result)).contains(lean));
+    result.leans = true;
+    let text = one_line(&study_text(&result));
+    assert!(text.contains(lean), "{text}");
+    assert!(one_line(&study_page(&result)).contains(lean));
 }
 
 #[test]

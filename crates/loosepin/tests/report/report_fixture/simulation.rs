@@ -162,6 +162,7 @@ pub fn worn_pin() -> SimulationRecord {
         impacts,
         orbits: vec![orbit(&sample, "", TURNS)],
         drawing: drawing(&sample, true),
+        leans: false,
         quasi_static_check: Vec::new(),
         measured: Vec::new(),
         wear: Vec::new(),

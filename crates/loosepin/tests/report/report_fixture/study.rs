@@ -119,6 +119,7 @@ pub fn worn_pin() -> StudyResult {
     let pooled_largest = pooled(outers.iter().map(|outer| &outer.largest));
     StudyResult {
         accuracy: None,
+        leans: false,
         format: FORMAT,
         name: "worn pin at 5000 rpm".to_owned(),
         model: "slider-crank with a worn pin".to_owned(),
