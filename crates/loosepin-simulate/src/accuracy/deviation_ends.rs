@@ -5,11 +5,12 @@ use super::cycle_worst_case::driven_steps;
 use super::dead_centre::{DeadCentre, dead_centre};
 use super::dimension::{DimensionDirection, dimension_direction};
 use super::error::AccuracyError;
-use super::in_space::is_asked_in_space;
+use super::in_space::{InSpace, is_asked_in_space};
 use super::loops::DisplacedLoops;
 use super::overhang::overhanging;
 use super::play_reach::PlayReach;
 use super::sensitivity::dimension_derivatives;
+use super::together::found_over;
 use super::unproven::{Cause, UnprovenPositions};
 use super::worst_case::{
     CycleOfPositions, Encloser, Ends, Moving, NotProven, Objective, Positions, Variables, WeightedOutput, best_across,
@@ -135,9 +136,8 @@ pub fn deviation_ends_until(
     let proven = asked.proven(questions, &mut unproven)?;
     let mut of_questions = Vec::with_capacity(questions.len());
     for (question, Proven { ends_si, causes }) in questions.iter().zip(proven) {
-        // Searches that count each play alone find places that the loops may not reach, and know no lean.
         let found = match is_asked_in_space(mechanism) && question.of.has_play() {
-            true => [(0, f64::NAN); 2],
+            true => asked.found_in_space(question)?,
             false => asked.found(question, &ends_si, &causes)?,
         };
         let found =
@@ -359,6 +359,17 @@ impl Asked<'_, '_> {
             *found = best.unwrap_or((0, f64::NAN));
         }
         Ok(found)
+    }
+
+    /// As [`Self::found`], by play with the parts as they are drawn, which are within all limits: the searches of the plane count each play alone, and
+    /// know no lean.
+    fn found_in_space(&self, question: &DeviationQuestion) -> Result<[(usize, f64); 2], AccuracyError> {
+        let is_stopped = || self.stop.load(Ordering::Relaxed);
+        let space = InSpace::new(self.mechanism, self.values, self.reaches, self.mechanism.model.leans).ok();
+        // Where the value itself is lowest or highest nothing is searched.
+        let space = space.filter(|_| !question.of.is_value());
+        let found = space.and_then(|space| found_over(&space, self.states, question.reading, &is_stopped));
+        if is_stopped() { Err(AccuracyError::Stopped) } else { Ok(found.unwrap_or([(0, f64::NAN); 2])) }
     }
 
     /// As [`Self::found`] by play alone.

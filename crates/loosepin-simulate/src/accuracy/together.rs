@@ -175,6 +175,39 @@ impl<'a> Together<'a> {
     }
 }
 
+/// The lowest and the highest deviation of a reading by play that searches find over `states`, each with its position: in the worst positions, with
+/// the loops closed exactly. `None` where nothing is known, and where it was stopped.
+pub(super) fn found_over(
+    space: &InSpace<'_>,
+    states: &[IdealMotion<'_>],
+    reading: Position,
+    is_stopped: &dyn Fn() -> bool,
+) -> Option<[(usize, f64); 2]> {
+    let output = space.output(&[reading], &[(0, 1.0)])?;
+    let mut worst = WorstPlaces::default();
+    for (position, state) in states.iter().enumerate() {
+        let effect = |accuracy: &PoseAccuracy<'_>| {
+            let first_order = accuracy.first_order(&accuracy.gains(&output).map_err(words)?).map_err(words)?;
+            Ok((first_order.worst, accuracy.dead_centre_nearness().is_near))
+        };
+        let (size_si, is_near) = asked(space, state, effect).ok().filter(|_| !is_stopped())?;
+        worst.add(position, size_si, !is_near, &());
+    }
+    let mut found = [(0, 0.0); 2];
+    for Worst { position, .. } in worst.searched() {
+        let search =
+            |accuracy: &PoseAccuracy<'_>| accuracy.searched(*position, &output, false, is_stopped).map_err(words);
+        let [low, high] = asked(space, &states[*position], search).ok()?.found_si;
+        if low < found[0].1 {
+            found[0] = (*position, low);
+        }
+        if high > found[1].1 {
+            found[1] = (*position, high);
+        }
+    }
+    Some(found)
+}
+
 /// Asks a mechanism in space where it is in a state.
 fn asked<T>(
     space: &InSpace<'_>,
