@@ -30,6 +30,9 @@ problems! {
         NoReadings => Code::NothingAsked,
             says("the study has no readings"),
             hint("add [[measured]] with output, pose, force, dead_travel and the error of the reading");
+        PinsLean => Code::ConflictingKeys,
+            says("pins of the model lean out of the plane, which readings are not compared with"),
+            hint("write lean = \"held\" in the model, and measure where nothing leans");
         NoPlay => Code::NothingUncertain,
             says("no input of the study is the play of a joint, so there is nothing to identify"),
             hint("add one under [epistemic], for example \"joint.pin.radial_clearance\" = {{ interval = [\"0.01 mm\", \"0.5 mm\"] }}");

@@ -66,12 +66,21 @@ impl Default for Options {
     }
 }
 
+/// Readings are compared with the plane alone.
+pub(crate) fn refuse_lean(study: &Study) -> Result<(), Diagnostics> {
+    match study.model.leans_beside_runs() {
+        true => Err(Diagnostics::one(&IdentifyProblem::PinsLean, study.model.place("lean"))),
+        false => Ok(()),
+    }
+}
+
 /// The plays that are consistent with the readings of `study`, specimen by specimen. `heard` hears of values of the unknowns that have their runs.
 ///
 /// # Errors
 /// No readings, no play among the inputs of the study, a mechanism without ideal motion, a pose that it cannot be locked in.
 pub fn identify(study: &Study, options: &Options, heard: ProgressCallback<'_>) -> Result<Identification, Diagnostics> {
     study.model.demand_planar()?;
+    refuse_lean(study)?;
     let confidence = options.confidence;
     if !(0.5..=MAX_CONFIDENCE).contains(&confidence) {
         return Err(Diagnostics::one(&IdentifyProblem::Confidence { found: confidence }, None));

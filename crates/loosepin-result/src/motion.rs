@@ -456,6 +456,7 @@ impl ClearanceAnswer {
     pub fn drop_round_off(&mut self, threshold_si: f64) {
         let histories = [
             &mut self.first_order_si,
+            &mut self.held_first_order_si,
             &mut self.worst_case_si,
             &mut self.lowest_si,
             &mut self.highest_si,

@@ -5,7 +5,7 @@ use super::invert::{MotionRig, MotionValues};
 use super::run_cache::ProgressCallback;
 use super::unknowns::name;
 use crate::error::IdentifyProblem;
-use crate::identify::known_specimen;
+use crate::identify::{known_specimen, refuse_lean};
 use loosepin_math::sort_by_number;
 use loosepin_result::motion_identification::{IndistinguishableMembers, MotionPlan, PlannedFeature, PlannedUnknown};
 use loosepin_study::{Deviation, MeasuredMotion, MotionError, MotionSubject, OutputSource, Reduction, Study};
@@ -74,6 +74,7 @@ pub fn plan_motion(
     asked: &MotionValues,
     heard: ProgressCallback<'_>,
 ) -> Result<MotionPlan, Diagnostics> {
+    refuse_lean(study)?;
     if let Some(wanted) = specimen {
         known_specimen(study, wanted)?;
     }

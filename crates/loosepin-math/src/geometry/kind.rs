@@ -59,8 +59,8 @@ pub trait Geometry: Copy + Debug + 'static {
     fn turn<T: Real>(rotation: &Self::Rotation<T>, vector: Self::Vector<T>) -> Self::Vector<T>;
     /// A vector of the ground, seen from the body.
     fn turn_back<T: Real>(rotation: &Self::Rotation<T>, vector: Self::Vector<T>) -> Self::Vector<T>;
-    /// The child of a revolute joint at an angle, rad: from the parent, or where it `turns_alone` from the ground. `near` is an angle near
-    /// cosine of an angle.
+    /// The child of a revolute joint at an angle, rad: from the parent, or where it `turns_alone` from the ground. `near` is a known
+    /// angle close to that of the child.
     fn revolved<T: Real>(
         parent: &Self::Rotation<T>,
         mount: &Self::Mount<T>,

@@ -130,6 +130,11 @@ impl Mechanism {
         self.degrees_of_freedom == self.model.drives.len()
     }
 
+    /// Whether pins with play lean out of the plane.
+    pub fn has_leaning_pins(&self) -> bool {
+        self.plays.iter().any(|play| self.model.has_leaning_pin(*play))
+    }
+
     /// Whether springs or flexible bodies turn energy into heat by damping.
     pub fn has_dampers(&self) -> bool {
         let has_damper = self.model.springs.iter().any(|spring| spring.damping.is_some());

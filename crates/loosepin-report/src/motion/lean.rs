@@ -12,7 +12,12 @@ pub(super) fn journals_lean(record: &MotionRecord) -> bool {
     !record.picture.is_empty() || record.outputs.iter().any(has_held)
 }
 
-/// `75 % of the ±0.2000 mm is lean: with pins that do not lean it is ±0.05000 mm.`, where play moves an output most; `None` where pins do not
+/// Whether pins of a planar mechanism lean out of its plane, which its runs do not know.
+pub(super) fn pins_lean_in_the_plane(record: &MotionRecord) -> bool {
+    record.picture.is_empty() && journals_lean(record)
+}
+
+/// `75 % of the ±0.2000 mm is lean: with pins that do not lean it is ±0.05000 mm there.`, where play moves an output most; `None` where pins do not
 /// lean.
 pub(super) fn lean_words(record: &MotionRecord, output: &OutputMotion, writer: &NumberWriter) -> Option<String> {
     /// Share of an effect that is round-off.
@@ -31,5 +36,5 @@ pub(super) fn lean_words(record: &MotionRecord, output: &OutputMotion, writer: &
         return Some(format!("None of the {all} is lean."));
     }
     let share = writer.with_tag(&Tag::joint(&output.name, "lean", "share")).percent(share, Rounding::Nearest);
-    Some(format!("{share} of the {all} is lean: with pins that do not lean it is {}.", number("held", held_si)))
+    Some(format!("{share} of the {all} is lean: with pins that do not lean it is {} there.", number("held", held_si)))
 }

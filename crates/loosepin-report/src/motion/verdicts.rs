@@ -8,6 +8,9 @@ use crate::words::wording::{capitalised, deviation_words};
 use loosepin_result::motion::{MotionAllowance, MotionRecord, MotionRequirement, MotionVerdict};
 use loosepin_text::units::SiUnit;
 
+use super::lean::pins_lean_in_the_plane;
+use super::searched::is_together;
+
 /// The headline over all requirements; `None` if there are none.
 pub(super) fn verdict_headline(record: &MotionRecord) -> Option<&'static str> {
     let verdicts = || record.requirements.iter().map(|requirement| requirement.verdict);
@@ -38,8 +41,10 @@ pub(super) fn verdicts_said(record: &MotionRecord, writer: &NumberWriter<'_>) ->
     });
     let is_open =
         |own: &MotionRequirement| matches!(own.verdict, MotionVerdict::Undecided | MotionVerdict::NeedsDynamics);
-    let how_decided =
-        record.requirements.iter().any(is_open).then(|| "Run `loosepin study` for what is undecided here.".to_owned());
+    let how_decided = record.requirements.iter().any(is_open).then(|| match pins_lean_in_the_plane(record) {
+        true => "Runs do not lean: `loosepin study` decides nothing of it.".to_owned(),
+        false => "Run `loosepin study` for what is undecided here.".to_owned(),
+    });
     let answers = requirements.chain(how_decided).chain(allowances).map(Said::answer);
     answers.chain(rests_on.map(Said::caveat)).collect()
 }
@@ -85,8 +90,11 @@ fn requirement_sentence(record: &MotionRecord, requirement: &MotionRequirement, 
             let side = usize::from(beyond[1] >= beyond[0]);
             // To the nearest digit: it was reached, and is no end.
             let tag = tag(["lowest found", "highest found"][side]);
+            // In space searches are made with the parts as they are drawn.
+            let of = if is_together(record) { "of play" } else { "of play and parts" };
+            let how_often = if pins_lean_in_the_plane(record) { "" } else { " `loosepin study` computes how often." };
             format!(
-                "It reaches {} at {} of {}, in the worst case of play and parts. `loosepin study` computes how often.",
+                "It reaches {} at {} of {}, in the worst case {of}.{how_often}",
                 writer.with_tag(&tag).rounded(found_si[side], unit, 4, Rounding::Nearest),
                 writer.with_tag(&tag.part("at")).angle_in_turn(requirement.found_at_rad[side], 4),
                 record.drive

@@ -13,8 +13,8 @@ use loosepin_text::article::Text;
 use loosepin_text::units::SiUnit;
 
 /// What runs of a mechanism whose pins lean do not know.
-pub(crate) const RUNS_WITHOUT_LEAN: &str = "Pins lean out of the plane, and runs do not: what lean adds is in none of these numbers. \
-                                            `loosepin motion` says how much that is without dynamics.";
+pub(crate) const RUNS_WITHOUT_LEAN: &str = "Pins lean out of the plane, and runs do not: bands, forces and verdicts are without lean. Zones of \
+                                            play and shares of joints without dynamics are with it; `loosepin motion` says how much it is.";
 
 pub(crate) fn deviation_words(of: Deviation) -> String {
     if of.is_value() { of.noun().to_owned() } else { format!("{}{}", of.noun(), due_to_words(of)) }

@@ -365,7 +365,7 @@ impl Asked<'_, '_> {
     /// know no lean.
     fn found_in_space(&self, question: &DeviationQuestion) -> Result<[(usize, f64); 2], AccuracyError> {
         let is_stopped = || self.stop.load(Ordering::Relaxed);
-        let space = InSpace::new(self.mechanism, self.values, self.reaches, self.mechanism.model.leans).ok();
+        let space = InSpace::new(self.mechanism, self.values, self.reaches, self.mechanism.has_leaning_pins()).ok();
         // Where the value itself is lowest or highest nothing is searched.
         let space = space.filter(|_| !question.of.is_value());
         let found = space.and_then(|space| found_over(&space, self.states, question.reading, &is_stopped));

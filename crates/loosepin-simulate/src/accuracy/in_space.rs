@@ -136,7 +136,7 @@ impl<'a> InSpace<'a> {
 
 /// Whether a mechanism is asked in space: its plays must meet conditions together, or its pins lean.
 pub(super) fn is_asked_in_space(mechanism: &Mechanism) -> bool {
-    !mechanism.plays.is_empty() && (mechanism.ideal.is_redundant() || mechanism.model.leans)
+    !mechanism.plays.is_empty() && mechanism.ideal.is_redundant() || mechanism.has_leaning_pins()
 }
 
 /// The play of a pin of this radial clearance: in a bearing in which it leans, or upright.

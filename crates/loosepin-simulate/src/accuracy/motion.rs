@@ -628,7 +628,7 @@ fn correlated(
 
 /// That nothing is known of play, in words.
 fn unknown_words(mechanism: &Mechanism, reason: &str) -> String {
-    if mechanism.model.leans {
+    if mechanism.has_leaning_pins() {
         return format!(
             "pins lean out of the plane, which is asked in space, but {reason}: what play does is not known"
         );

@@ -38,7 +38,7 @@ impl<'a> Together<'a> {
         reaches: &[PlayReach],
         names: Vec<String>,
     ) -> Result<Self, String> {
-        let leans = mechanism.model.leans;
+        let leans = mechanism.has_leaning_pins();
         let space = InSpace::new(mechanism, values, reaches, leans)?;
         let held = leans.then(|| InSpace::new(mechanism, values, reaches, false)).transpose()?;
         Ok(Self { space, held, dead_centres: Vec::new(), worst: vec![WorstPlaces::default(); names.len()], names })
@@ -191,7 +191,9 @@ pub(super) fn found_over(
             Ok((first_order.worst, accuracy.dead_centre_nearness().is_near))
         };
         let (size_si, is_near) = asked(space, state, effect).ok().filter(|_| !is_stopped())?;
-        worst.add(position, size_si, !is_near, &());
+        if size_si > 0.0 {
+            worst.add(position, size_si, !is_near, &());
+        }
     }
     let mut found = [(0, 0.0); 2];
     for Worst { position, .. } in worst.searched() {

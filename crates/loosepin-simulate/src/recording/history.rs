@@ -536,7 +536,7 @@ impl<'a> Recorder<'a> {
             energy: self.energy,
             impacts: self.impacts,
             drawing: self.drawing,
-            leans: self.mechanism.model.leans && !self.mechanism.plays.is_empty(),
+            leans: self.mechanism.has_leaning_pins(),
             quasi_static_check: Vec::new(),
             measured: Vec::new(),
             wear,

@@ -35,7 +35,11 @@ impl<T> Default for WorstPlaces<T> {
 
 impl<T: Clone> WorstPlaces<T> {
     /// Takes the next position, with the size of the worst case of first order. Play comes near no dead centre in one that is regular.
+    /// One whose effect is no number is left out.
     pub fn add(&mut self, position: usize, size: f64, is_regular: bool, place: &T) {
+        if size.is_nan() {
+            return;
+        }
         let rivals = [Some(&mut self.worst), is_regular.then_some(&mut self.worst_regular)];
         for known in rivals.into_iter().flatten() {
             // Round-off decides nothing: the first of several alike.

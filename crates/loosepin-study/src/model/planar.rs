@@ -118,13 +118,17 @@ impl KindOfModel for Model {
     }
 
     fn leans_beside_runs(&self) -> bool {
-        self.leans && self.plays().next().is_some()
+        self.plays().any(|play| self.has_leaning_pin(play))
     }
 
     fn keys_of_new_play(&self, joint: &str) -> &'static [&'static str] {
         let joint = self.joints.iter().find(|known| known.name == joint);
         let can_have_play = joint.is_some_and(|joint| joint.kind.turns() && joint.kind.play().is_none());
-        if can_have_play { &["bearing_radius", "radial_clearance", "contact"] } else { &[] }
+        match (can_have_play, self.leans) {
+            (true, true) => &["bearing_radius", "radial_clearance", "bearing_length", "contact"],
+            (true, false) => &["bearing_radius", "radial_clearance", "contact"],
+            (false, _) => &[],
+        }
     }
 
     fn contact_names(&self) -> Vec<&str> {
@@ -243,11 +247,20 @@ impl DeviationProofs for Model {
         let moves: Vec<bool> = limits.iter().map(moves).collect();
         let dimensions: Vec<DimensionLimit> =
             limits.iter().zip(&moves).filter(|(_, moves)| **moves).map(|(limit, _)| *limit).collect();
-        let ends = if questions.is_empty() {
+        let mut ends = if questions.is_empty() {
             AllDeviationEnds { of_questions: Vec::new(), unproven: None, is_whole_turn: true }
         } else {
             deviation_ends_until(&mechanism, values, turn, (&dimensions, questions), stop)?
         };
+        // What is found is for pins that lean as they are drawn.
+        if let Some(limit) = limits.iter().find(|limit| limit.most_si > 0.0 && self.decides_lean(limit.quantity)) {
+            ends.unproven = Some(format!("{} decides how far pins lean", self.quantities[limit.quantity].path));
+            for (question, own) in questions.iter().zip(&mut ends.of_questions) {
+                if question.of.has_play() {
+                    own.found.iter_mut().for_each(|found| found.deviation_si = f64::NAN);
+                }
+            }
+        }
         Ok(ProvenDeviations { moves, ends })
     }
 

@@ -3,7 +3,7 @@
 use crate::model::contact::Contact;
 use crate::model::coupling::Coupling;
 use crate::model::drive::Drive;
-use crate::model::ids::{BodyId, PointId};
+use crate::model::ids::{BodyId, PlayId, PointId};
 use crate::model::joint::{AtBeam, JointKind};
 use crate::model::load::Load;
 use crate::model::output::Output;
@@ -109,6 +109,19 @@ impl Model {
         }
         let place = self.joints.first().and_then(|joint| self.place(&format!("joint.{}", joint.name)));
         Err(Diagnostics::one(&ModelProblem::NoJointWears, place))
+    }
+
+    /// Whether a play is that of a pin that leans out of the plane.
+    pub fn has_leaning_pin(&self, play: PlayId) -> bool {
+        self.leans && matches!(play, PlayId::Joint(joint) if self.joints[joint.0].kind.pin_clearance().is_some())
+    }
+
+    /// Whether a quantity decides how far pins lean, or how far a body stands off: it does nothing in the plane.
+    pub fn decides_lean(&self, id: QuantityId) -> bool {
+        let pins = self.joints.iter().filter_map(|joint| joint.kind.pin_clearance());
+        let of_pins = pins.flat_map(|pin| [pin.bearing_length_m, pin.axial_clearance_m]);
+        let all = of_pins.chain(self.bodies.iter().map(|body| body.offset_m)).flatten();
+        self.leans && all.into_iter().any(|own| self.quantities.depends_on(own, id))
     }
 
     /// Whether a rigid joint or a drive holds the section of a flexible body at a point: a couple acts there.

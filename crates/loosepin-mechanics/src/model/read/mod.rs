@@ -30,7 +30,7 @@ use crate::model::joint::JOINT_KINDS;
 use crate::model::load::LOAD_KINDS;
 use crate::model::output::OUTPUT_KEYS;
 use crate::model::part_reader::PartReader;
-use crate::model::parts::topology::{Guess, Model};
+use crate::model::parts::topology::{Guess, Joint, Model};
 use crate::model::parts::wear::LifeTable;
 use crate::model::problem::ModelProblem;
 use crate::model::values::sizes::SIZES;
@@ -187,7 +187,7 @@ impl ModelReader {
         }
         let Some(own) = ModelTable::of(&mut self, root) else { return Err(self.numbers.reader.diagnostics) };
         let name = own.name.unwrap_or_default();
-        self.leans = own.lean == Some(Lean::Free);
+        (self.leans, self.says_lean) = (own.lean == Some(Lean::Free), own.lean.is_some());
         if let Some(entry) = &own.parameter {
             self.numbers.read_parameters(entry);
         }
@@ -267,6 +267,13 @@ impl ModelReader {
         }
         if self.numbers.places.contains_key("wear") && !self.uses_life {
             paths.push("wear".to_owned());
+        }
+        if !self.says_lean {
+            let bodies = self.bodies.iter().filter(|body| body.offset_m.is_some());
+            paths.extend(bodies.map(|body| format!("body.{}.offset", body.name)));
+            let slides = |joint: &&Joint| joint.kind.pin_clearance().is_some_and(|pin| pin.axial_clearance_m.is_some());
+            let joints = self.joints.iter().filter(slides);
+            paths.extend(joints.map(|joint| format!("joint.{}.axial_clearance", joint.name)));
         }
         for path in paths {
             let written = self.numbers.quantities.id(&path).and_then(|id| self.numbers.quantities[id].span);

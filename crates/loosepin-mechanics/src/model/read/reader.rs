@@ -22,6 +22,8 @@ pub(super) struct ModelReader {
     pub numbers: NumberReader,
     /// Whether pins lean out of the plane.
     pub leans: bool,
+    /// Whether the file says whether they do.
+    pub says_lean: bool,
     /// Bodies whose points could not be read.
     pub without_points: HashSet<BodyId>,
     pub bodies: Vec<Body>,
@@ -68,6 +70,7 @@ impl ModelReader {
         ModelReader {
             numbers: NumberReader::new(source, hint_of_needs),
             leans: false,
+            says_lean: false,
             without_points: HashSet::new(),
             body_of_name: HashMap::from([(ground.name.clone(), BodyId(0))]),
             temperature_rise_k: None,

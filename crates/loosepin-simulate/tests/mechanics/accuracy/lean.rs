@@ -111,6 +111,23 @@ fn deviations_with_play_are_found_in_space_where_pins_lean() {
     }
 }
 
+/// A mechanism is asked in space where a pin leans, not where the key stands alone. Without it what has a meaning beside it alone is not used.
+#[test]
+fn lean_without_a_pin_that_leans_changes_nothing() {
+    let clearance = "radial_clearance = \"0.05 mm\"\nbearing_length = \"20 mm\"\n";
+    let ideal = [(clearance, "")];
+    let [free, held] = ["free", "held"].map(|lean| {
+        let mut changes = ideal.to_vec();
+        let key = format!("lean = \"{lean}\"");
+        changes.push(("lean = \"free\"", &key));
+        recorded(&changed(&changes))
+    });
+    assert_eq!(free, held);
+    let warnings = changed(&[("lean = \"free\"\n", "")]).mechanism.model.warnings;
+    let words: Vec<String> = warnings.iter().map(ToString::to_string).collect();
+    assert!(words.iter().any(|own| own.contains("offset")), "{words:?}");
+}
+
 /// What space does not know is said, and not shown as nothing.
 #[test]
 fn play_of_a_guide_is_not_known_where_pins_lean() {
