@@ -525,7 +525,7 @@ fn how_much_of_a_deviation_is_lean_is_said_beside_it() {
 
 #[test]
 fn a_study_says_that_its_runs_know_no_lean() {
-    let lean = "what lean adds is in none of these numbers";
+    let lean = "bands, forces and verdicts are without lean";
     let mut result = worn_pin();
     assert!(!one_line(&study_text(&result)).contains(lean));
     result.leans = true;
