@@ -279,7 +279,8 @@ pub struct EffortMotion {
 ///
 /// Each eccentricity e_k lies in the disc |e_k| <= c_k and to first order moves the output by g_k·e_k: at most by sum c_k |g_k|;
 /// uniform in the disc: variance sum c_k² |g_k|²/4; on the rim with uniform direction: sum c_k² |g_k|²/2. The worst case is that of the
-/// loops themselves, not of their first order.
+/// loops themselves, not of their first order. Where plays must meet conditions together, in space, and where pins lean, the first order is the
+/// largest over all places that the loops allow, and `searched` stands in place of the worst case at every position.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct ClearanceAnswer {
     /// Sum of the first-order effects of all joints: a preview of the worst case, which may be larger.
