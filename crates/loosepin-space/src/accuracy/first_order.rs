@@ -22,7 +22,7 @@ pub struct FirstOrder {
     pub worst: f64,
     /// g·p at the place below, m or rad; it is as large but for round-off.
     pub reached: f64,
-    /// Variables of play at the largest value, m; their negatives give the smallest.
+    /// Variables of play at the largest value, m, the tangent of a lean without a unit; their negatives give the smallest.
     pub variables_m: Vec<f64>,
     /// λ of each redundant row, in the scale of the loop equations (lengths over the characteristic length).
     pub multipliers: Vec<f64>,

@@ -84,8 +84,7 @@ record! {
     required name: Option<String> = Kind::Text, "\"worn pin\"";
     /// "plane" for a planar mechanism, which is meant if omitted; "space" for one in space, which has a format of its own
     optional geometry: Geometry = choice::<Geometry>(), "\"plane\"";
-    /// "free" where pins with play lean in their bearings, out of the plane: the motion without dynamics is then asked in space, and says how
-    /// much of a deviation is lean; "held", as in the plane, if omitted. Runs stay in the plane
+    /// "free" where pins with play lean out of the plane, which motion without dynamics then says apart; "held" if omitted. Runs stay in the plane
     optional lean: Lean = choice::<Lean>(), "\"held\"";
     /// acceleration along -y; "0 m/s^2" for none; needed for runs
     optional gravity: Entry<'t> = quantity(Dimension::ACCELERATION, Rule::Finite), "\"9.81 m/s^2\"";
