@@ -9,7 +9,8 @@ use loosepin_mechanics::mechanism::{IdealMotion, Mechanism};
 use loosepin_mechanics::model::{Position, Values};
 use loosepin_result::motion::{OutputMotion, UnprovenSpan};
 use loosepin_space::{
-    AccuracyError, PlayDistribution, PoseAccuracy, SpatialOutput, Worst, WorstPlaces, dead_centre_spans,
+    AccuracyError, FirstOrder, Gains, PlayDistribution, PoseAccuracy, SpatialOutput, Worst, WorstPlaces,
+    dead_centre_spans,
 };
 
 /// Places of the readings that an output is made of, and their weights.
@@ -120,8 +121,7 @@ impl<'a> Together<'a> {
     ) -> Result<Vec<PlayEffect>, String> {
         let Some(held) = &self.held else { return Ok(effects) };
         let worst_si = |accuracy: &PoseAccuracy<'_>, weights: &Weights, name: &str| -> Result<f64, String> {
-            let gains = accuracy.gains(&self.output(readings, weights, name)?).map_err(words)?;
-            Ok(accuracy.first_order(&gains).map_err(words)?.worst)
+            Ok(first_order(accuracy, &self.output(readings, weights, name)?)?.1.worst)
         };
         asked(held, state, |accuracy| {
             for ((effect, weights), name) in effects.iter_mut().zip(weights).zip(&self.names) {
@@ -145,8 +145,7 @@ impl<'a> Together<'a> {
     ) -> Result<Vec<(SpatialOutput, PlayEffect)>, String> {
         let effect = |(weights, name): (&Weights, &String)| {
             let output = self.output(readings, weights, name)?;
-            let gains = accuracy.gains(&output).map_err(words)?;
-            let first_order = accuracy.first_order(&gains).map_err(words)?;
+            let (gains, first_order) = first_order(accuracy, &output)?;
             let effect = PlayEffect {
                 worst_si: first_order.worst,
                 by_joint_si: self.space.joint_of_play().iter().map(|joint| first_order.by_joint[*joint]).collect(),
@@ -187,8 +186,7 @@ pub(super) fn found_over(
     let mut worst = WorstPlaces::default();
     for (position, state) in states.iter().enumerate() {
         let effect = |accuracy: &PoseAccuracy<'_>| {
-            let first_order = accuracy.first_order(&accuracy.gains(&output).map_err(words)?).map_err(words)?;
-            Ok((first_order.worst, accuracy.dead_centre_nearness().is_near))
+            Ok((first_order(accuracy, &output)?.1.worst, accuracy.dead_centre_nearness().is_near))
         };
         let (size_si, is_near) = asked(space, state, effect).ok().filter(|_| !is_stopped())?;
         if size_si > 0.0 {
@@ -208,6 +206,13 @@ pub(super) fn found_over(
         }
     }
     Some(found)
+}
+
+/// The gains of an output, and its worst case to first order.
+fn first_order(accuracy: &PoseAccuracy<'_>, output: &SpatialOutput) -> Result<(Gains, FirstOrder), String> {
+    let gains = accuracy.gains(output).map_err(words)?;
+    let first_order = accuracy.first_order(&gains).map_err(words)?;
+    Ok((gains, first_order))
 }
 
 /// Asks a mechanism in space where it is in a state.
